@@ -1,15 +1,17 @@
-//! The Apollo command and service module, tumbling freely, under both readings of its products of inertia.
+//! The Apollo command and service module, tumbling freely, under both readings of its products of
+//! inertia.
 //!
-//! Numbers: NASA NESC flight simulation check-cases, model page. It gives Ixy, Iyz, Izx without saying whether they are
-//! entries of the tensor, `-∫xy dm`, or products of inertia, `+∫xy dm`. `rigid_body!` makes one say which; this
-//! program shows what the word is worth.
+//! Numbers: NASA NESC flight simulation check-cases, model page. It gives Ixy, Iyz, Izx without
+//! saying whether they are entries of the tensor, `-∫xy dm`, or products of inertia, `+∫xy dm`.
+//! `rigid_body!` requires a choice; this program shows its effect.
 //!
-//! Axes of the body as published, world axes those of the body at the start; no load, and `motion: rotation`: the
-//! motion of G is not modelled. It starts with 5 deg/s about y, whose moment of inertia is the largest.
+//! Axes of the body as published, world axes those of the body at the start; no load, and `motion:
+//! rotation`: the motion of G is not modelled. It starts with 5 deg/s about y, whose moment of
+//! inertia is the largest.
 //!
-//! To be checked: energy and angular momentum are those of the start; the principal moments; the largest moment belongs
-//! to an axis ½ atan(2 · 1152.4 / (38372.4 - 36514.9)) = 25.6° from y, in the y-z plane nearly, to one side or the
-//! other.
+//! Asserts: energy and angular momentum are conserved; the principal moments; the largest moment
+//! belongs to an axis ½ atan(2 · 1152.4 / (38372.4 - 36514.9)) = 25.6° from y, nearly in the y-z
+//! plane, on one side or the other.
 
 use newton_euler::inertia::{InertiaTensor, InvalidInertia};
 use newton_euler::nalgebra::Vector3;

@@ -1,19 +1,22 @@
-//! Attitude, rate and gyro bias of a satellite, from a gyro ten times a second and a star tracker once a second: an
-//! error-state Kalman filter (F. L. Markley, J. L. Crassidis, "Fundamentals of Spacecraft Attitude Determination and
-//! Control", chapter 6), the filter itself by the crate `adskalman`.
+//! Attitude, rate and gyro bias of a satellite, from a gyro sampled ten times a second and a star
+//! tracker once a second: an error-state Kalman filter (F. L. Markley, J. L. Crassidis,
+//! "Fundamentals of Spacecraft Attitude Determination and Control", chapter 6), using the crate
+//! `adskalman`.
 //!
-//! The estimate is a state of the satellite, and moves by its equations. Its error x = (e, dw, db) is the tangent
-//! vector of `linearize`: attitude exp(e), rate + dw, bias + db. So the filter's matrices follow from the description:
+//! The estimate is a state of the satellite, and moves by its equations. Its error x = (e, dw, db)
+//! is the tangent vector of `linearize`: attitude exp(e), rate + dw, bias + db. So the filter's
+//! matrices follow from the description:
 //!
 //! ```text
 //! x(t + h) = P x(t) + Q u        u: unknown torque and drift of the bias, held for a period
 //! ```
 //!
-//! The torques act while the truth moves, and the gyro's bias wanders; both are inputs of the same description.
+//! The torques act while the truth moves, and the gyro's bias drifts; both are inputs of the same
+//! description.
 //!
-//! To be checked: over fifty runs, x.C^-1 x with the covariance C of the filter is distributed as chi-square, and so are
-//! the innovations of both sensors; 99.7 % of the errors are within three standard deviations; a filter that is told of half
-//! the noise of the star tracker fails.
+//! Asserts: over fifty runs, x.C^-1 x with the covariance C of the filter is distributed as
+//! chi-square, and so are the innovations of both sensors; 99.7 % of the errors are within three
+//! standard deviations; a filter that assumes half the noise of the star tracker fails.
 
 use adskalman::{
     CovarianceUpdateMethod::JosephForm, ObservationModel, StateAndCovariance,
@@ -45,7 +48,7 @@ type Errors = SVector<f64, 9>;
 type Covariance = SMatrix<f64, 9, 9>;
 
 const PERIOD: f64 = 0.1;
-/// A star tracker answers once in so many periods.
+/// The number of periods between readings of the star tracker.
 const SELDOM: u32 = 10;
 const PERIODS: u32 = 1200;
 const RUNS: u32 = 50;
@@ -56,11 +59,11 @@ const DRIFT: f64 = 1e-5;
 const GYRO: f64 = 1e-4;
 /// Across the line of sight, which is body z, and about it.
 const STARS: [f64; 3] = [24e-6, 24e-6, 240e-6];
-/// At the start, of attitude, rate and bias.
+/// At the start, for attitude, rate and bias.
 const START: [f64; 3] = [1e-3, 1e-3, 1e-3];
 
-/// Normal numbers, the same in every run of the program (G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom
-/// number generators", 2014; G. Box, M. Muller, 1958).
+/// Normal random numbers, the same in every run of the program (G. Steele, D. Lea, C. Flood, "Fast
+/// splittable pseudorandom number generators", 2014; G. Box, M. Muller, 1958).
 struct Noise(u64);
 
 impl Noise {
@@ -118,7 +121,7 @@ impl TransitionModelLinearNoControl<f64, Const<9>> for Transition {
     }
 }
 
-/// What a sensor sees of the errors, and its noise.
+/// The matrix of a sensor for the errors, and its noise.
 struct Sensor {
     sees: SMatrix<f64, 3, 9>,
     transposed: SMatrix<f64, 9, 3>,
@@ -126,7 +129,7 @@ struct Sensor {
 }
 
 impl Sensor {
-    /// A sum of attitude, rate and bias, each so many times.
+    /// A sum of attitude, rate and bias with these weights.
     fn new(times: [f64; 3], deviations: [f64; 3]) -> Self {
         let mut sees = SMatrix::zeros();
         for row in 0..3 {
@@ -176,7 +179,7 @@ fn corrected(state: &SatelliteState, error: &Errors) -> SatelliteState {
     }
 }
 
-/// What is to be added to the estimate, so that it is the truth.
+/// The correction of the estimate that gives the truth.
 fn error(truth: &SatelliteState, estimate: &SatelliteState) -> Errors {
     let turn = estimate.motion.attitude.inverse() * truth.motion.attitude;
     let rate = truth.motion.angular_velocity - estimate.motion.angular_velocity;
@@ -192,7 +195,7 @@ struct Filter {
 }
 
 impl Filter {
-    /// Over a period, by the equations of motion and under the torque that was commanded.
+    /// Predicts over a period, by the equations of motion and with the commanded torque.
     fn predict(&mut self, input: SatelliteInput) {
         let transition = Transition::about(&self.satellite, &self.state, &input);
         let none = StateAndCovariance::new(Errors::zeros(), self.covariance);
@@ -200,7 +203,8 @@ impl Filter {
         self.state = moved(&self.satellite, &self.state, input);
     }
 
-    /// By what a sensor shows beside what the estimate says; the square of that in its standard deviations.
+    /// Updates by a sensor's reading minus the estimate's; returns its square in standard
+    /// deviations.
     fn update(&mut self, sensor: &Sensor, innovation: &Vector3<f64>) -> f64 {
         let spread = sensor.sees * self.covariance * sensor.transposed + sensor.noise;
         let spread = spread.cholesky().expect("noise is positive");
@@ -220,13 +224,13 @@ impl Filter {
     }
 }
 
-/// A period later.
+/// One period later.
 fn moved(satellite: &Satellite, state: &SatelliteState, input: SatelliteInput) -> SatelliteState {
     let motion = satellite.integrate(state).input(input);
     motion.to(PERIOD).expect("it turns")
 }
 
-/// What the wheels are told.
+/// The command to the wheels.
 fn command(period: u32) -> Vector3<f64> {
     let time = PERIOD * f64::from(period);
     vector![
@@ -250,7 +254,7 @@ struct Tally {
 }
 
 impl Tally {
-    /// One run, with a filter that believes this of its star tracker.
+    /// One run, with a filter that assumes this noise of its star tracker.
     fn run(&mut self, seed: u64, stars: [f64; 3]) {
         let (satellite, mut noise) = (Satellite::default(), Noise(seed));
         let (gyro, tracker) = (
@@ -312,13 +316,14 @@ impl Tally {
     }
 }
 
-/// Between which chi-square is in 999 of 1000 cases (E. Wilson, M. Hilferty, 1931).
+/// The bounds of chi-square in 999 of 1000 cases (E. Wilson, M. Hilferty, 1931).
 fn bounds(freedoms: u32) -> [f64; 2] {
     let share = 2.0 / (9.0 * f64::from(freedoms));
     [-3.29, 3.29].map(|deviations| (1.0 - share + deviations * share.sqrt()).powi(3))
 }
 
-/// Whether a sum of squares is what chi-square permits; printed by the freedom.
+/// Whether a sum of squares is within the bounds of chi-square; prints it divided by the degrees of
+/// freedom.
 fn is_consistent(name: &str, sum: f64, freedoms: u32) -> bool {
     let ([least, most], mean) = (bounds(freedoms), sum / f64::from(freedoms));
     println!("{name:<38} {mean:.4}   {least:.4} to {most:.4}");
@@ -358,10 +363,10 @@ fn main() {
         let [x, y, z] = [0, 1, 2].map(|row| 1e6 * off[3 * part + row]);
         println!("  {x:8.1} {y:8.1} {z:8.1}");
     }
-    // better than a single answer of the star tracker
+    // better than a single reading of the star tracker
     assert!((0..3).all(|row| off[row] < STARS[row]));
 
-    // who believes in a star tracker twice as good is found out
+    // assuming a star tracker twice as good is detected
     let mut wrong = Tally::default();
     for run in 0..RUNS / 10 {
         wrong.run(u64::from(run), STARS.map(|deviation| 0.5 * deviation));

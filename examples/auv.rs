@@ -1,20 +1,20 @@
-//! A vehicle under water with its added mass, a full 6 x 6, and the moments that belong to it.
+//! An underwater vehicle with its added mass, a full 6 x 6, and the moments that belong to it.
 //!
-//! Body x is forward, y left, z up, from the center of mass G, world z is up. What the water is given by the
-//! hull is a momentum p and a moment of momentum l about G, linear in velocity v and angular velocity w of the body:
-//! (p, l) = A (v, w). The water pushes back with their rates (G. Kirchhoff, "Über die Bewegung eines Rotationskörpers in
-//! einer Flüssigkeit", 1870), in axes of the body
+//! Body x is forward, y left, z up, from the center of mass G; world z is up. The hull gives the
+//! water a momentum p and a moment of momentum l about G, linear in velocity v and angular velocity
+//! w of the body: (p, l) = A (v, w). The water pushes back with their rates (G. Kirchhoff, "Über
+//! die Bewegung eines Rotationskörpers in einer Flüssigkeit", 1870), in body axes
 //!
 //! ```text
 //! force -(p' + w x p)        moment -(l' + w x l + v x p)
 //! ```
 //!
-//! whose v x p is the moment of M. Munk, which turns a slender hull across its way. Numbers: those of REMUS
-//! (T. Prestero, "Verification of a six-degree of freedom simulation model for the REMUS autonomous underwater vehicle",
-//! 2001), taken about G; neutrally buoyant, without fins.
+//! where v x p is the moment of M. Munk, which turns a slender hull broadside. Numbers: those of
+//! REMUS (T. Prestero, "Verification of a six-degree of freedom simulation model for the REMUS
+//! autonomous underwater vehicle", 2001), taken about G; neutrally buoyant, without fins.
 //!
-//! To be checked: the speed goes as U tanh(t / T); the moment of Munk; without drag energy and
-//! momentum of body and water together.
+//! Asserts: the speed follows U tanh(t / T); the moment of Munk; without drag, energy and
+//! momentum of body and water together are conserved.
 
 use newton_euler::nalgebra::{Matrix6, Vector3, Vector6};
 use newton_euler::prelude::*;
@@ -36,7 +36,7 @@ rigid_body!(Auv {
     locals: [
         v = velocity.in_body(),
         w = angular_velocity.in_body(),
-        // the rates of both in axes of the body
+        // the rates of both in body axes
         a = (acceleration - angular_velocity.cross(velocity)).in_body(),
         e = angular_acceleration.in_body(),
         p = body(
@@ -85,7 +85,7 @@ fn whole(auv: &Auv, state: &Spatial) -> (f64, Vector3<f64>) {
     (0.5 * rates.dot(&momentum), linear)
 }
 
-/// Terminal speed, the moment of Munk, and what is kept.
+/// Terminal speed, the moment of Munk, and the conserved quantities.
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let auv = Auv::default();
     println!("{}\n", Auv::EQUATIONS);
@@ -104,7 +104,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         assert!((end.velocity.x - known).abs() < 1e-8);
     }
 
-    // (m + b) w' + c q' = 0,  (J + d) q' + c w' = (b - a) u w: it turns its nose down, away from its way
+    // (m + b) w' + c q' = 0, (J + d) q' + c w' = (b - a) u w: it pitches down, away from its
+    // direction of motion
     let (ahead, up) = (1.5, 0.1);
     let drifting = Spatial {
         velocity: [ahead, 0.0, up].into(),

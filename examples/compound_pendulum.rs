@@ -1,9 +1,11 @@
-//! A rod on a pin: its period, where it can be struck without the pin feeling it, and the force of the pin.
+//! A rod on a pin: its period, where it can be struck without the pin feeling it, and the force of
+//! the pin.
 //!
-//! To be checked, all in closed form for a uniform rod of length L on a pin at its end: let go level, the pin carries a
-//! quarter of the weight, and five halves of it as the rod passes below; the period from the arithmetic-geometric
-//! mean; the same period from a pin at the center of oscillation, 2 L / 3 below (Kater's reversible pendulum); and no
-//! force along a blow on that point (center of percussion).
+//! Asserts, all in closed form for a uniform rod of length L on a pin at its end: released level,
+//! the pin carries a quarter of the weight, and five halves of it as the rod passes below; the
+//! period from the arithmetic-geometric mean; the same period from a pin at the center of
+//! oscillation, 2 L / 3 below (Kater's reversible pendulum); and no pin force along a blow on that
+//! point (center of percussion).
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -37,7 +39,7 @@ fn measured_period(pendulum: &Pendulum, amplitude: f64) -> f64 {
     loop {
         let next = integrate::cf4_step(pendulum, time, &state, &none, step);
         if next.angular_velocity >= 0.0 && time > 0.0 {
-            // it stands still within this step: Newton's method
+            // it comes to rest within this step: Newton's method
             let mut ahead = 0.0;
             for _ in 0..4 {
                 let there = integrate::cf4_step(pendulum, time, &state, &none, ahead);

@@ -1,9 +1,9 @@
 //! A crane: a trolley on a rail, a hoist that lets out a rope, and a load on a ball joint below.
 //!
-//! World z is up. The rope is a slide: it only pulls, as long as its force, which `reactions` tells,
-//! stays upward. The load swings.
+//! World z is up. The rope is a slide. It represents a rope as long as its force, which `reactions`
+//! gives, points upward. The load swings.
 //!
-//! To be checked: at rest the rope carries hook and load; the period of small swings is that of a
+//! Asserts: at rest the rope carries hook and load; the period of small swings is that of a
 //! compound pendulum; a trolley that stops at the right time leaves no swing.
 
 use newton_euler::prelude::*;
@@ -55,7 +55,7 @@ fn main() {
     println!("         the rope carries {carried:.2} N");
     assert!((carried - hoist).abs() < 1e-9);
 
-    // across the rail the trolley stands still: a compound pendulum
+    // across the rail the trolley is fixed: a compound pendulum
     let tilted = CraneState {
         hang: Universal {
             angle_2: 1e-4,

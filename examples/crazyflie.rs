@@ -1,15 +1,17 @@
-//! The Crazyflie 2.0 with its published full inertia: hover, then a yaw manoeuvre that is not one of yaw alone.
+//! The Crazyflie 2.0 with its published full inertia: hover, then a yaw torque, which does not
+//! cause yaw alone.
 //!
-//! Numbers: J. Förster, System identification of the Crazyflie 2.0 nano quadrocopter, bachelor's thesis, ETH
-//! Zürich, 2015; off-diagonals as published, entries of the tensor. Mass and rotor positions as commonly used
-//! with it.
+//! Numbers: J. Förster, System identification of the Crazyflie 2.0 nano quadrocopter, bachelor's
+//! thesis, ETH Zürich, 2015; off-diagonals as published, entries of the tensor. Mass and rotor
+//! positions as commonly used with it.
 //!
-//! Body axes: x forward, y left, z up, from G; world z is up. Rotors, seen from above: 1 front right, 2 back right, 3 back
-//! left, 4 front left. Convention of spin: 1 and 3 turn anticlockwise, about +z, and the air turns the body about -z
-//! with their torque; 2 and 4 the other way. The rotors' own angular momentum is neglected.
+//! Body axes: x forward, y left, z up, from G; world z is up. Rotors, seen from above: 1 front
+//! right, 2 back right, 3 back left, 4 front left. Spin convention: 1 and 3 turn anticlockwise,
+//! about +z, and the air turns the body about -z with their torque; 2 and 4 the other way. The
+//! rotors' own angular momentum is neglected.
 //!
-//! To be checked: hover at m g / 4; a yaw torque rolls and pitches too, by the inverse of the published
-//! tensor; the energy gained is the work of the rotors; `residual` is zero on the motion.
+//! Asserts: hover at m g / 4; a yaw torque causes roll and pitch too, by the inverse of the
+//! published tensor; the energy gained is the work of the rotors; `residual` is zero on the motion.
 
 use newton_euler::nalgebra::{Matrix3, Vector3};
 use newton_euler::{integrate, prelude::*};
@@ -48,7 +50,7 @@ rigid_body!(Crazyflie {
 
 const WEIGHT: f64 = 0.028 * 9.80665;
 
-/// A quarter of the weight on each rotor, `more` on 2 and 4, as much less on 1 and 3.
+/// A quarter of the weight on each rotor, plus `more` on 2 and 4, minus `more` on 1 and 3.
 fn yaw(more: f64) -> CrazyflieInput {
     let [less, more] = [WEIGHT / 4.0 - more, WEIGHT / 4.0 + more];
     CrazyflieInput {
@@ -83,7 +85,7 @@ fn main() {
 
     let energy =
         |state: &Spatial| body.kinetic_energy(state) + body.potential_energy(0.0, state, &yaw(0.0));
-    // The power of all loads, without that of the weight.
+    // The power of all loads except the weight.
     let rotors = |state: &Spatial, input: &CrazyflieInput| {
         let angular_velocity = state.attitude * state.angular_velocity;
         let all = body.applied(0.0, state, input);

@@ -1,11 +1,14 @@
-//! A cylinder on an incline, in both modes of contact: it is set down sliding, and rolls once friction has spun it up.
+//! A cylinder on an incline, in both modes of contact: it starts sliding, and rolls once friction
+//! has spun it up.
 //!
-//! World x points down the slope, y away from it. The mode is a choice of description: where it sticks, the contact has no
-//! velocity and friction is a second unknown; where it slips, friction is a given multiple of the normal force. Both have
-//! the same state, so that a program changes from one to the other. What says when: sticking needs a friction within the
-//! cone, |T| <= mu N, and contact itself a normal force that pushes, N > 0; both are in `reactions`.
+//! World x points down the slope, y away from it. Each mode is a description. In sticking, the
+//! contact has zero velocity and friction is a second unknown; in slipping, friction is a given
+//! multiple of the normal force. Both have the same state, so a program can change from one to the
+//! other. Sticking needs friction within the cone, |T| <= mu N, and contact needs a normal force
+//! that pushes, N > 0; both are in `reactions`.
 //!
-//! To be checked: accelerations and the time of sliding against their closed forms; the constraints after 100 000 steps.
+//! Asserts: accelerations and the time of sliding against their closed forms; the constraints after
+//! 100 000 steps.
 
 use newton_euler::{integrate, prelude::*};
 
@@ -52,7 +55,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let down = 9.80665 * 0.3_f64.sin();
     let across = 9.80665 * 0.3_f64.cos();
 
-    // set down at 1.5 m/s without spin, a little too high: the projection puts it onto the slope
+    // starts at 1.5 m/s without spin, a little too high: the projection moves it onto the slope
     let mut state = Planar {
         position: [0.0, 0.23].into(),
         velocity: [1.5, 0.0].into(),
@@ -66,14 +69,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     );
     slipping.project(0.0, &mut state, &())?;
 
-    // it slides as long as the contact moves: until v + r w = 0
+    // it slides as long as the contact point moves: until v + r w = 0
     let loss = -(down - MU * across) + MU * across / 0.75;
     let sliding = 1.5 / loss;
     state = integrate::cf4_projected(&slipping, &state, &(), 0.0..sliding, 100)?;
     let slip = state.velocity.x + 0.22 * state.angular_velocity;
     println!("slides for {sliding:.6} s, and then slips by {slip:.1e} m/s");
 
-    // it can stick if the friction that this needs is within the cone
+    // it can stick if the required friction is within the cone
     let reactions = sticking.reactions(sliding, &state, &())?;
     let (normal, friction) = (reactions.normal.y, reactions.friction.x);
     println!(

@@ -1,10 +1,12 @@
-//! An electric dipole on a thin rod in a uniform field: it swings about the field like a pendulum, and does not fall.
+//! An electric dipole on a thin rod in a uniform field: it swings about the field like a pendulum,
+//! and does not fall.
 //!
-//! Charges ±q at the ends of the rod along body x, field along world x. Without a net charge there is no force at all;
-//! the couple p × E is the same about every point. World axes: z is up; there is no weight.
+//! Charges ±q are at the ends of the rod along body x, the field is along world x. Without a net
+//! charge there is no force; the couple p × E is the same about every point. World axes: z is up;
+//! there is no weight.
 //!
-//! To be checked: the couple is p E sin θ; the period is 4 K(sin θ₀ / 2) √(J / p E), from elliptic integrals; energy
-//! is conserved; a second pair of charges that cancels the dipole leaves nothing.
+//! Asserts: the couple is p E sin θ; the period is 4 K(sin θ₀ / 2) √(J / p E), from elliptic
+//! integrals; energy is conserved; a second pair of charges that cancels the dipole leaves nothing.
 
 use std::f64::consts::PI;
 
@@ -77,7 +79,7 @@ fn main() {
         -moment * amplitude.sin()
     );
 
-    // Released, it swings through the field and comes to rest on the other side: half of a period.
+    // Released, it swings through the field and comes to rest on the other side: half a period.
     let expected = period(amplitude, moment / inertia);
     let (mut state, mut time, step) = (start, 0.0, expected / 20_000.0);
     let mut last = f64::NAN;

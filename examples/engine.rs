@@ -1,11 +1,11 @@
-//! A slider-crank engine: the forces in its bearings over a turn.
+//! A slider-crank engine: the forces in its bearings over one turn.
 //!
-//! The crank turns at constant speed, by a joint that is `driven`; the guide of the piston closes the
-//! loop of ground, crank, rod and piston. At each angle the loop is closed by `project`, and the
+//! The crank turns at constant speed, by a joint that is `driven`; the guide of the piston closes
+//! the loop of ground, crank, rod and piston. At each angle `project` closes the loop, and the
 //! balances give the forces of all bearings and the torque on the crank.
 //!
-//! To be checked: the torque does the work that the energy of the engine gains, to rounding; over a
-//! whole turn without gas it does none; and the piston is where geometry has it.
+//! Asserts: the work of the torque is the energy gained by the engine, to rounding; over a
+//! whole turn without gas it is zero; the position of the piston agrees with geometry.
 
 use newton_euler::prelude::*;
 
@@ -68,7 +68,7 @@ fn main() {
     let mut state = assembled(&engine, 0.0);
     for step in 0..=12 {
         let time = turn * f64::from(step) / 12.0;
-        // from the last one, which is a twelfth of a turn away
+        // from the last state, which is a twelfth of a turn away
         engine
             .project(time, &mut state, &())
             .expect("the loop closes at each angle");
@@ -87,7 +87,7 @@ fn main() {
         );
     }
 
-    // power of the torque and of the gas is what the energy gains
+    // the power of the torque and of the gas is the rate of energy
     let energy = |time: f64, state: &EngineState| {
         engine.kinetic_energy(time, state, &()) + engine.potential_energy(time, state, &())
     };

@@ -1,11 +1,12 @@
 //! A four-bar with a driven crank: torque and pin forces over a turn.
 //!
-//! The crank turns at constant speed, by a joint that is `driven`, and the rocker works against a moment.
-//! At each angle the loop is closed by `project`; the balances give the torque and the forces of all pins.
+//! The crank turns at constant speed, by a joint that is `driven`, and the rocker works against a
+//! moment. At each angle `project` closes the loop; the balances give the torque and the forces of
+//! all pins.
 //!
-//! To be checked: all of them beside kinetostatics by hand. Angles come from the triangle of the diagonal,
-//! rates and accelerations from the derivatives of the loop, forces from Newton's and Euler's laws of the
-//! three bodies, nine equations with the torque and four forces as unknowns.
+//! Asserts: all of them agree with hand-derived kinetostatics. Angles come from the triangle of the
+//! diagonal, rates and accelerations from the derivatives of the loop, forces from Newton's and
+//! Euler's laws of the three bodies, nine equations with the torque and four forces as unknowns.
 
 use newton_euler::nalgebra::{Matrix, Matrix2, SMatrix, SVector, Vector2};
 use newton_euler::prelude::*;
@@ -47,7 +48,8 @@ fn unit(angle: f64) -> [Vector2<f64>; 2] {
     [Vector2::new(cosine, sine), Vector2::new(-sine, cosine)]
 }
 
-/// Angles, rates and accelerations of crank, coupler and rocker, by hand: `0.1 e1 + 0.35 e2 = C + 0.25 e3`.
+/// Angles, rates and accelerations of crank, coupler and rocker, by hand: `0.1 e1 + 0.35 e2 = C +
+/// 0.25 e3`.
 fn moved(angle: f64, rate: f64) -> [[f64; 3]; 3] {
     let diagonal = Vector2::new(0.3, 0.0) - 0.1 * unit(angle)[0];
     let long = diagonal.norm();
@@ -64,7 +66,7 @@ fn moved(angle: f64, rate: f64) -> [[f64; 3]; 3] {
     [angles, [rate, w2, w3], [0.0, bent.x, bent.y]]
 }
 
-/// The torque, and the forces of o, a, b and c on what they carry, by hand.
+/// The torque, and the forces of o, a, b and c on the bodies that they carry, by hand.
 fn by_hand([angles, rates, bent]: [[f64; 3]; 3]) -> SVector<f64, 9> {
     let turned = |body: usize, arm: f64| {
         let [e, n] = unit(angles[body]);
@@ -77,7 +79,7 @@ fn by_hand([angles, rates, bent]: [[f64; 3]; 3]) -> SVector<f64, 9> {
     ];
     let (mut balances, mut right) = (SMatrix::<f64, 9, 9>::zeros(), SVector::<f64, 9>::zeros());
     let bodies = [(0.4, 4e-4), (1.1, 0.012), (0.8, 4.5e-3)];
-    // of each body: its pins, by number, the sign of the force on it, and how far they are along it
+    // for each body: its pins, by number, the sign of the force on it, and their distances along it
     let pins = [
         [(0, 1.0, -0.04), (1, -1.0, 0.06)],
         [(1, 1.0, -0.16), (2, -1.0, 0.19)],

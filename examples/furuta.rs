@@ -1,10 +1,10 @@
-//! A Furuta pendulum: an arm that a motor turns about the vertical, and a pole that swings on its
-//! tip. The motor swings the pole up by its energy, and then holds it.
+//! A Furuta pendulum: a motor turns an arm about the vertical, and a pole swings on the tip of the
+//! arm. The motor swings the pole up by its energy, and then balances it.
 //!
-//! Body axes of the pole: z from its center of mass G to the pin, along the pole, where its angle is
+//! Body axes of the pole: z from its center of mass G to the pin, along the pole, at angle
 //! zero; the pole hangs at 0 and stands at π.
 //!
-//! To be checked: accelerations of 20 digits in one state; the pole stands after the swing.
+//! Asserts: accelerations to 20 digits in one state; the pole stands after the swing.
 
 use newton_euler::prelude::*;
 
@@ -32,8 +32,9 @@ rigid_system!(Furuta {
     outputs: [energy],
 });
 
-/// Pumps energy into the pole while it hangs, and holds it once it is nearly upright: how the arm is to
-/// accelerate, and the torque that makes it do so, since accelerations are linear in the torque.
+/// Pumps energy into the pole while it hangs, and balances it once it is nearly upright: the wanted
+/// acceleration of the arm, and the torque that produces it, since accelerations are linear in the
+/// torque.
 fn motor(furuta: &Furuta, state: &FurutaState) -> FurutaInput {
     use core::f64::consts::PI;
     let (yaw, swing) = (&state.yaw, &state.swing);

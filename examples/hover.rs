@@ -1,15 +1,16 @@
-//! A quadrotor that hovers by itself: motors that lag and a controller with integrators are states of its own,
-//! beside its motion.
+//! A quadrotor that hovers by itself: motors with lag and a controller with integrators are
+//! user-defined states, in addition to its motion.
 //!
-//! Body axes: x forward, y left, z up, from the center of mass G; world z is up. Thrusts act along body z. Rotors 1
-//! and 3 spin about -z, so the air turns the body about +z with them.
+//! Body axes: x forward, y left, z up, from the center of mass G; world z is up. Thrusts act along
+//! body z. Rotors 1 and 3 spin about -z, so the air turns the body about +z with them.
 //!
-//! Each thrust follows its command with the lag T. Moments and lift are commanded from the angles, their rates and
-//! their integrals so that each of roll, pitch and height has four equal poles -p, of which a motor that lags
-//! leaves one choice, p = 1 / (4 T).
+//! Each thrust follows its command with the lag T. Moments and lift are commanded from the angles,
+//! their rates and their integrals so that each of roll, pitch and height has four equal poles -p.
+//! The motor lag permits only p = 1 / (4 T).
 //!
-//! To be checked: a small tilt φ₀ goes as φ₀ exp(-p t) (1 + p t + (p t)² / 2 - (p t)³ / 2), which takes it through zero
-//! once; a camera that is hung on the front arm is carried by the integrators at last, and by the thrusts as the lever says.
+//! Asserts: a small tilt φ₀ decays as φ₀ exp(-p t) (1 + p t + (p t)² / 2 - (p t)³ / 2), which
+//! passes through zero once; a camera hung on the front arm is finally carried by the integrators,
+//! and the thrusts obey the lever.
 
 use newton_euler::nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::prelude::*;
@@ -51,7 +52,7 @@ rigid_body!(Hover {
         right = (0, -arm, 0),
     ],
     locals: [
-        // of small tilts, the angles
+        // for small tilts, the angles
         roll = body(0, 1, 0).in_world().z,
         pitch = -body(1, 0, 0).in_world().z,
         above = position.in_world().z - height,
@@ -171,7 +172,7 @@ fn main() {
     assert!((end.thrust_3 - expected[1]).abs() < 1e-6);
     assert!((end.pitch_sum - by_lever).abs() < 1e-6);
 
-    // the camera is let go: integrators are plain fields, and what they carried is gone with it
+    // the camera is released: integrators are plain fields, and their load goes with it
     let mut released = end;
     (released.pitch_sum, released.height_sum) = (0.0, 0.0);
     let highest = |state: &HoverState| {

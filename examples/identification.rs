@@ -1,12 +1,13 @@
-//! Mass properties from a log: a craft whose thrusters are known flies with a load on board that is
-//! not, and an instrument P in its hull writes down its motion.
+//! Mass properties from a log: a craft with known thrusters flies with an unknown load on board,
+//! and an instrument P in its hull records its motion.
 //!
 //! The equations of motion are linear in mass, first moment and inertia about P (C. Atkeson, C. An,
-//! J. Hollerbach, "Estimation of inertial parameters of manipulator loads and links", 1986). Each line of the log
-//! is six rows, `regressor (m, m c, J) = (force, moment)`, and least squares find the ten numbers.
+//! J. Hollerbach, "Estimation of inertial parameters of manipulator loads and links", 1986). Each
+//! line of the log is six rows, `regressor (m, m c, J) = (force, moment)`, and least squares find
+//! the ten numbers.
 //!
-//! To be checked: mass, center of mass and inertia are those of the craft that flew, to eight digits;
-//! with noise of the instrument, to its share.
+//! Asserts: mass, center of mass and inertia are those of the craft that flew, to eight digits;
+//! with instrument noise, to a corresponding accuracy.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 use newton_euler::prelude::*;
@@ -39,7 +40,7 @@ rigid_body!(Hull {
     outputs: [regressor],
 });
 
-/// From the center of mass to the instrument, which nobody knows on board.
+/// From the center of mass to the instrument; the identification does not know it.
 const P: Vector3<f64> = Vector3::new(0.12, -0.05, 0.31);
 const LINES: u32 = 300;
 
@@ -52,7 +53,7 @@ fn thrust(time: f64) -> CraftInput {
     }
 }
 
-/// Attitude, rates and accelerations at the instrument, as often as it writes.
+/// Attitude, rates and accelerations at the instrument, at its recording times.
 fn log() -> Vec<(f64, Spatial, SpatialAcceleration)> {
     let (craft, mut state, mut lines) = (Craft::default(), Spatial::default(), Vec::new());
     for line in 0..LINES {
@@ -79,8 +80,8 @@ fn log() -> Vec<(f64, Spatial, SpatialAcceleration)> {
     lines
 }
 
-/// Least squares, sum of Y^T Y p = sum of Y^T f, each acceleration off by what `noise` makes of its
-/// place in the log.
+/// Least squares, sum of Y^T Y p = sum of Y^T f; `noise` gives the error of each acceleration by
+/// its place in the log.
 fn identify(noise: impl Fn(u32) -> f64) -> SVector<f64, 10> {
     let (mut squares, mut sides) = (SMatrix::<f64, 10, 10>::zeros(), SVector::zeros());
     let mut place = 0;
@@ -101,7 +102,7 @@ fn identify(noise: impl Fn(u32) -> f64) -> SVector<f64, 10> {
     factor.solve(&sides)
 }
 
-/// The log, and what it tells, with and without noise.
+/// The log, and its evaluation with and without noise.
 pub fn main() {
     let (m, c) = (41.3, -P);
     // the inertia about the instrument, by the parallel axis theorem
@@ -118,7 +119,7 @@ pub fn main() {
     flown.copy_from_slice(&[&[m], h.as_slice(), &about].concat());
 
     let found = identify(|_| 0.0);
-    // a hundredth of a unit, up and down by an irrational step
+    // a hundredth of a unit, positive and negative by an irrational step
     let noisy = identify(|place| 0.02 * ((f64::from(place) * 0.618_033_988_749_895).fract() - 0.5));
 
     println!(

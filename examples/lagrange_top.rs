@@ -1,8 +1,10 @@
-//! Lagrange's top, its tip on the ground: steady precession, slow and fast, and the nutation of a top that is let go.
+//! Lagrange's top with its tip on the ground: steady precession, slow and fast, and the nutation of
+//! a released top.
 //!
-//! To be checked: both steady motions against their closed form, and the force on the tip, which is the weight and
-//! `m l sin θ Ω²` towards the axis of precession. A top let go nutates between its first angle and the other root of
-//! a cubic for cos θ; the period is that of an elliptic integral. Energy and the angular momenta about both axes stay.
+//! Asserts: both steady motions against their closed form, and the force on the tip, which is the
+//! weight plus `m l sin θ Ω²` towards the axis of precession. A released top nutates between its
+//! first angle and the other root of a cubic for cos θ; the period is an elliptic integral. Energy
+//! and the angular momenta about both axes are conserved.
 
 use newton_euler::nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::top::{HeavyTop, SymmetricTop};
@@ -32,8 +34,8 @@ fn tilt(state: &Rotation) -> f64 {
     (state.attitude * Vector3::z()).z.acos()
 }
 
-/// Half the period of the nutation and the other angle, from `u = cos θ`: `u'² = (u₀ - u) (b (1 - u²) - a² (u₀ - u))`, with
-/// `a = J₃ ω₃ / J₁` and `b = 2 m g l / J₁`, of a top let go at u₀.
+/// Half the period of the nutation and the other angle, from `u = cos θ`: `u'² = (u₀ - u) (b (1 -
+/// u²) - a² (u₀ - u))`, with `a = J₃ ω₃ / J₁` and `b = 2 m g l / J₁`, of a top let go at u₀.
 fn nutation(a: f64, b: f64) -> (f64, f64) {
     let start = TILT.cos();
     // the roots of b (1 - u²) - a² (u₀ - u): one between -1 and 1, the other above 1

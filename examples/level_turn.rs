@@ -1,12 +1,13 @@
-//! A light aeroplane, the Navion: trimmed for level flight and for a level turn, and its modes beside
-//! those that are published.
+//! A light aeroplane, the Navion: trimmed for level flight and for a level turn, and its modes next
+//! to the published ones.
 //!
 //! R. C. Nelson, Flight Stability and Automatic Control, 2nd edition: coefficients and data in
-//! appendix B, modes in examples 4.3 and 5.3. Axes of aeronautics: body x to the nose, y to the right
+//! appendix B, modes in examples 4.3 and 5.3. Aeronautical axes: body x to the nose, y to the right
 //! wing, z down; world z down.
 //!
-//! To be checked: the modes of level flight are the published ones to a hundredth, which is how these
-//! are rounded, the slow spiral to six; after a whole turn the aeroplane is where it was.
+//! Asserts: the modes of level flight agree with the published ones to a hundredth, their rounding,
+//! and the slow spiral to six hundredths; after a whole turn the aeroplane is back where it
+//! started.
 
 use newton_euler::nalgebra::Vector3;
 use newton_euler::prelude::*;
@@ -59,13 +60,13 @@ rigid_body!(Navion {
     outputs: [linearization],
 });
 
-/// Nelson's: natural frequency \[rad/s\] and damping ratio.
+/// Nelson's oscillatory modes: natural frequency \[rad/s\] and damping ratio.
 const SWINGS: [(&str, f64, f64); 3] = [
     ("short period", 3.60, 0.694),
     ("Dutch roll", 2.385, 0.204),
     ("phugoid", 0.2137, 0.080),
 ];
-/// What decays without swinging \[1/s\].
+/// The decay without oscillation \[1/s\].
 const DECAYS: [(&str, f64); 2] = [("roll", 8.435), ("spiral", 0.00877)];
 
 const SPEED: f64 = 176.0 * 0.3048;

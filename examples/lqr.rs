@@ -1,12 +1,14 @@
-//! A quadrotor that a linear-quadratic regulator holds where it is: the gains follow from the description.
+//! A quadrotor held in place by a linear-quadratic regulator: the gains follow from the
+//! description.
 //!
-//! `linearize` gives x' = A x + B u about hover, `discretized` the step of a computer that asks 200 times a second,
-//! x' = P x + Q u. The gains K of u = -K x minimise the sum of x.W x + u.R u; they follow from the
-//! solution S of Riccati's equation, found by doubling: each round is twice as many steps of its horizon (E. Chu, H. Fan,
-//! W. Lin, C. Wang, "Structure-preserving algorithms for periodic discrete-time algebraic Riccati equations", 2004).
+//! `linearize` gives x' = A x + B u about hover, `discretized` the step of a controller that runs
+//! 200 times a second, x' = P x + Q u. The gains K of u = -K x minimize the sum of x.W x + u.R u.
+//! They follow from the solution S of Riccati's equation, found by doubling: each round doubles the
+//! number of steps of the horizon (E. Chu, H. Fan, W. Lin, C. Wang, "Structure-preserving
+//! algorithms for periodic discrete-time algebraic Riccati equations", 2004).
 //!
-//! To be checked: what is left of the equation; the sum along the motion of the whole body, from a small tilt, is that
-//! which S says; a tilt of 60 degrees settles.
+//! Asserts: the residual of the equation; the sum along the motion of the full body, from a small
+//! tilt, agrees with the prediction of S; a tilt of 60 degrees settles.
 
 use newton_euler::nalgebra::{SMatrix, SVector, UnitQuaternion, Vector3};
 use newton_euler::prelude::*;
@@ -44,13 +46,13 @@ type Inputs = SMatrix<f64, 12, 4>;
 
 const PERIOD: f64 = 0.005;
 
-/// W, for each second as much: of position, tilt, velocity and rate.
+/// W, per second: of position, tilt, velocity and rate.
 fn weights() -> States {
     let each = [4.0, 4.0, 4.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.1, 0.1, 0.1];
     States::from_diagonal(&SVector::from(each)) * PERIOD
 }
 
-/// R, of each thrust alike.
+/// R, the same for each thrust.
 const EFFORT: f64 = 0.5 * PERIOD;
 
 /// S of S = W + P^T S (1 + Q R^-1 Q^T S)^-1 P, and the gains.
@@ -69,14 +71,14 @@ fn regulator(p: &States, q: &Inputs) -> (States, SMatrix<f64, 4, 12>) {
     (s, inner.solve(&(q.transpose() * s * p)))
 }
 
-/// How far a state is from hover, as `linearize` counts it.
+/// The deviation of a state from hover, in the coordinates of `linearize`.
 fn off(state: &Spatial) -> SVector<f64, 12> {
     let tilt = state.attitude.scaled_axis();
     let parts = [state.position, tilt, state.velocity, state.angular_velocity];
     SVector::from_fn(|row, _| parts[row / 3][row % 3])
 }
 
-/// Thrusts beside those of hover.
+/// Thrusts relative to hover.
 fn thrusts(more: SVector<f64, 4>) -> QuadrotorInput {
     let [thrust_1, thrust_2, thrust_3, thrust_4] = more.add_scalar(1.2 * 9.80665 / 4.0).into();
     QuadrotorInput {
@@ -87,7 +89,7 @@ fn thrusts(more: SVector<f64, 4>) -> QuadrotorInput {
     }
 }
 
-/// From a tilt about an axis between the arms: what it sums up to, and the states every 0.25 s.
+/// From a tilt about an axis between the arms: the accumulated sum, and the states every 0.25 s.
 fn recover(quadrotor: &Quadrotor, gains: &SMatrix<f64, 4, 12>, tilt: f64) -> (Vec<Spatial>, f64) {
     let axis = Vector3::new(1.0, 0.5, 0.0).normalize();
     let attitude = UnitQuaternion::from_scaled_axis(axis * tilt);
@@ -108,7 +110,7 @@ fn recover(quadrotor: &Quadrotor, gains: &SMatrix<f64, 4, 12>, tilt: f64) -> (Ve
     (states.collect(), sum)
 }
 
-/// When the states are within 5 cm and 1° of hover, and stay so.
+/// The time after which the states stay within 5 cm and 1° of hover.
 fn settling(states: &[Spatial]) -> f64 {
     println!("from 60°:  t/s   tilt/°   off/m");
     let mut settled = 0.0;
@@ -125,7 +127,7 @@ fn settling(states: &[Spatial]) -> f64 {
     settled
 }
 
-/// The gains, and what they do.
+/// The gains, and their effect.
 fn main() {
     let quadrotor = Quadrotor::default();
     let hover = thrusts(SVector::zeros());
@@ -144,7 +146,8 @@ fn main() {
     println!("left of the equation of Riccati: {left:.0e} of S");
     assert!(left < 1e-12);
 
-    // up and down alone, asked at every instant: k^2 = 4 / r, l^2 = 2 m k + 1 / r for the sum of the thrusts, r = 0.5 / 4
+    // vertical motion alone, in continuous time: k^2 = 4 / r, l^2 = 2 m k + 1 / r for the sum of
+    // the thrusts, r = 0.5 / 4
     let stiff = (4.0_f64 / 0.125).sqrt();
     for (column, whole) in [(2, stiff), (8, (2.0 * 1.2 * stiff + 8.0).sqrt())] {
         println!(

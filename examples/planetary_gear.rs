@@ -1,12 +1,12 @@
 //! A planetary gear: sun, planet, ring and the arm that carries the planet, meshed by constraints.
 //!
-//! Both meshes are written in lengths, so that the loads that keep them are the forces between teeth.
-//! The motor turns the sun, the arm drives a fan, and a brake slows the ring until it stands: the fan
-//! then turns at the ratio of the gear.
+//! Both meshes are written in lengths, so the loads that keep them are the forces between teeth.
+//! The motor turns the sun, the arm drives a fan, and a brake slows the ring to a stop: the fan
+//! then turns at the gear ratio.
 //!
-//! To be checked: the acceleration beside that of the inertias reduced to sun and ring, in closed form;
-//! the forces between teeth beside the balance of each wheel; the ratio after the brake has held the
-//! ring, 1 + ring / sun; and the constraints after the run.
+//! Asserts: the acceleration agrees with that of the inertias reduced to sun and ring, in closed
+//! form; the forces between teeth agree with the balance of each wheel; the ratio with the ring
+//! held is 1 + ring / sun; and the constraints hold after the run.
 
 use newton_euler::prelude::*;
 
@@ -58,8 +58,8 @@ const SUN: f64 = 0.02;
 const PLANET: f64 = 0.015;
 const RING: f64 = SUN + 2.0 * PLANET;
 
-/// The accelerations of sun and ring by a torque on the sun, from rest: all inertias, reduced to these
-/// two.
+/// The accelerations of sun and ring by a torque on the sun, from rest, with all inertias reduced
+/// to these two.
 fn reduced(torque: f64) -> [f64; 2] {
     let [sun, arm, planet, ring] = [4e-5, 3e-4 + 0.1 * (SUN + PLANET).powi(2), 1.2e-5, 2e-3];
     // arm = s sun + r ring; the planet turns against the ground by p (ring - sun) + arm

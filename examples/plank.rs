@@ -1,10 +1,11 @@
 //! A thrown plank in its plane: three equations, and a closed form for all of them.
 //!
-//! World x is horizontal, y up; the angle is anticlockwise from world x to the plank's x axis, which is along it. A
-//! uniform bar of length 2.4 m and height 0.2 m; no air, so that the weight is the only load.
+//! World x is horizontal, y up; the angle is anticlockwise from world x to the plank's x axis,
+//! which is along it. A uniform bar of length 2.4 m and height 0.2 m; no air, so the weight is the
+//! only load.
 //!
-//! To be checked: G moves on a parabola while the plank turns uniformly; energy and the angular momentum about G are
-//! conserved; about the hand it was thrown from, dL/dt is the moment of the weight.
+//! Asserts: G moves on a parabola while the plank rotates uniformly; energy and the angular
+//! momentum about G are conserved; about the hand that threw it, dL/dt is the moment of the weight.
 
 use newton_euler::nalgebra::{Rotation2, Vector2};
 use newton_euler::{integrate, prelude::*};

@@ -1,10 +1,12 @@
-//! A quadrotor, the body of the documentation of `rigid_body!`: hover, and a turn about the vertical.
+//! A quadrotor, the body of the documentation of `rigid_body!`: hover, and a turn about the
+//! vertical.
 //!
-//! Body axes: x forward, y left, z up, from the center of mass G; world z is up. Thrusts act along body z. Rotors 1
-//! and 3 spin about -z, so the air turns the body about +z with them; their own angular momentum is neglected.
+//! Body axes: x forward, y left, z up, from the center of mass G; world z is up. Thrusts act along
+//! body z. Rotors 1 and 3 spin about -z, so the air turns the body about +z with them; their own
+//! angular momentum is neglected.
 //!
-//! To be checked: at hover nothing accelerates; a turn with all of the weight carried is the closed form
-//! angle = ½ α t²; with the rotors off, energy and angular momentum stay what they were.
+//! Asserts: at hover nothing accelerates; a turn with the weight fully carried follows the closed
+//! form angle = ½ α t²; with the rotors off, energy and angular momentum are conserved.
 
 use newton_euler::{integrate, prelude::*};
 
@@ -54,7 +56,8 @@ fn main() {
     println!("  acceleration of G {:.1e} m/s²", still.linear.norm());
     println!("  angular           {:.1e} rad/s²", still.angular.norm());
 
-    // More on 1 and 3, less on 2 and 4: the weight stays carried, the drag of the rotors does not balance.
+    // More on 1 and 3, less on 2 and 4: the weight is still carried, but the rotor drag does not
+    // balance.
     let (more, less) = (hover + 0.05, hover - 0.05);
     let input = thrusts([more, less, more, less]);
     let turned = integrate::cf4(&quadrotor, &rest, &input, 0.0..2.0, 200);

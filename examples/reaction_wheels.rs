@@ -1,10 +1,10 @@
-//! A satellite with three reaction wheels: it turns by spinning them, and its angular momentum stays
-//! what it was.
+//! A satellite with three reaction wheels: it rotates by spinning them, and its angular momentum is
+//! conserved.
 //!
-//! Body axes of the hub are those of the world where its attitude is the identity; a wheel on each
-//! of them. Wheels are symmetric, so that their equations have no sine (see `SKIPPED`).
+//! Body axes of the hub are those of the world at the identity attitude, with a wheel on each
+//! of them. The wheels are symmetric, so the equations contain no sine (see `SKIPPED`).
 //!
-//! To be checked: accelerations of 20 digits in one state; the momentum of the whole after a turn.
+//! Asserts: accelerations to 20 digits in one state; the total momentum after a rotation.
 
 use newton_euler::prelude::*;
 

@@ -1,8 +1,10 @@
-//! The rigid bodies of the collections of problems for integrators, as bodies, beside the ends that are known.
+//! Rigid bodies from collections of integrator test problems, written as bodies and compared with
+//! known end states.
 //!
-//! All of them are `y₁' = a y₂ y₃, y₂' = b y₃ y₁, y₃' = c y₁ y₂ + f(t)`, of which few are Euler's equations as they stand:
-//! a + b + c + a b c would have to be zero, and no coefficient beyond 1. In other units of each component they are, `yᵢ = sᵢ ωᵢ` of a body with
-//! a = (J₂ - J₃) / J₁ · s₁ / (s₂ s₃) and so on:
+//! All of them are `y₁' = a y₂ y₃, y₂' = b y₃ y₁, y₃' = c y₁ y₂ + f(t)`. Few are Euler's equations
+//! as they stand: a + b + c + a b c would have to be zero, and no coefficient beyond 1. After a
+//! change of unit in each component they are, `yᵢ = sᵢ ωᵢ` for a body with a = (J₂ - J₃) / J₁ · s₁
+//! / (s₂ s₃) and so on:
 //!
 //! | problem | a, b, c | y(0) | J | s |
 //! |---|---|---|---|---|
@@ -11,8 +13,9 @@
 //! | the rigid body of `SciMLBenchmarks`, f = ¼ sin² t, to 10 | the same | the same | the same | the same |
 //! | EULR (E. Hairer, S. P. Nørsett, G. Wanner, Solving ODEs I, II.10), f only from 3π to 4π, to 20 | the same | the same | the same | the same |
 //!
-//! To be checked: B5 against `(sn t, cn t, dn t)` with k² = 0.51 and against the end in Algorithm 648 (W. H. Enright, J. D. Pryce, ACM
-//! Trans. Math. Softw. 13 (1987) 28); the others, of which no end is published, against 40-digit arithmetic (`tests/reference/published.py`).
+//! Asserts: B5 against `(sn t, cn t, dn t)` with k² = 0.51 and against the end in Algorithm 648 (W.
+//! H. Enright, J. D. Pryce, ACM Trans. Math. Softw. 13 (1987) 28); the others, whose ends are not
+//! published, against 40-digit arithmetic (`tests/reference/published.py`).
 #![allow(
     clippy::unreadable_literal,
     clippy::excessive_precision,
@@ -48,21 +51,21 @@ rigid_body!(Driven {
     outputs: [taylor],
 });
 
-/// What a problem calls y.
+/// The y of a problem.
 pub(crate) struct Scales(Vector3<f64>);
 
 impl Scales {
-    /// Those of DETEST B5.
+    /// The units of DETEST B5.
     pub(crate) fn detest() -> Self {
         Self([5.0 / 9.0, 4.0 / 3.0, 2.0 / 5.0].into())
     }
 
-    /// Those of the others.
+    /// The units of the others.
     pub(crate) fn others() -> Self {
         Self([0.8, 0.5, 0.4].into())
     }
 
-    /// A state by its y.
+    /// The state of a given y.
     pub(crate) fn state(&self, y: [f64; 3]) -> Rotation {
         Rotation {
             angular_velocity: Vector3::from(y).component_div(&self.0),
@@ -78,7 +81,7 @@ impl Scales {
 
 /// The start of B5.
 pub(crate) const B5: [f64; 3] = [0.0, 1.0, 1.0];
-/// The end of B5 as Algorithm 648 has it.
+/// The end of B5 from Algorithm 648.
 pub(crate) const B5_END: [f64; 3] = [
     -9.396570798729192e-1,
     -3.421177754000779e-1,
@@ -90,7 +93,7 @@ pub(crate) const B5_EXACT: [f64; 3] = [
     -0.3421177754000749065348221,
     0.7414126596199953007825587,
 ];
-/// The end of the body that is not driven, in 40 digits, rounded.
+/// The end of the undriven body, in 40 digits, rounded.
 pub(crate) const FREE_EXACT: [f64; 3] = [
     0.60620385396481222179,
     0.62874721045017797037,
@@ -99,7 +102,8 @@ pub(crate) const FREE_EXACT: [f64; 3] = [
 /// The start of the others.
 pub(crate) const Y: [f64; 3] = [1.0, 0.0, 0.9];
 
-/// The end of a driven body, which is pushed and let go by turns, from zero to each of the times \[s\].
+/// The end of a driven body, which is pushed and released in turns, from zero to each of the times
+/// \[s\].
 ///
 /// # Errors
 /// None of this body.

@@ -1,11 +1,11 @@
-//! A six-axis arm, the UR5 in its zero pose, with computed torque: inverse dynamics tells the motors
-//! what a wanted motion takes, and the arm follows it.
+//! A six-axis arm, the UR5 in its zero pose, with computed torque: inverse dynamics gives the motor
+//! torques of a wanted motion, and the arm follows it.
 //!
-//! Links are in the axes of the model that is published with the robot; the joints two and four
-//! are turned by a right angle there.
+//! Links are in the axes of the published model of the robot; the joints two and four
+//! are rotated by a right angle there.
 //!
-//! To be checked: accelerations of 20 digits in one state; what inverse dynamics says of the
-//! accelerations is the torque that made them; the arm follows a motion from point to point.
+//! Asserts: accelerations to 20 digits in one state; inverse dynamics of the
+//! accelerations returns the torque that caused them; the arm follows a motion from point to point.
 
 use newton_euler::prelude::*;
 
@@ -96,7 +96,7 @@ fn input(drives: &ArmDrives) -> ArmInput {
     }
 }
 
-/// One joint on its way from 0 to `to` in two seconds: angle, rate and acceleration.
+/// One joint moving from 0 to `to` in two seconds: angle, rate and acceleration.
 fn wanted(to: f64, time: f64) -> [f64; 3] {
     let s = (time / 2.0).clamp(0.0, 1.0);
     let angle = s.powi(3) * (10.0 - 15.0 * s + 6.0 * s * s);
@@ -107,7 +107,7 @@ fn wanted(to: f64, time: f64) -> [f64; 3] {
 
 const GOAL: [f64; 6] = [0.8, -1.1, 1.4, -0.5, 0.9, 0.3];
 
-/// The torques that lead the arm along the way, and back to it.
+/// The torques that move the arm along the trajectory, with feedback.
 fn controller(arm: &Arm, time: f64, state: &ArmState) -> ArmInput {
     let joints = [
         state.pan,

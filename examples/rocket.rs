@@ -1,10 +1,12 @@
-//! A rocket that burns its fuel: mass and inertia follow the fuel, a state of its own.
+//! A rocket that burns its fuel: mass and inertia depend on the fuel, a user-defined state.
 //!
-//! Body z is along the rocket, G in the middle of the tank, so that it stays where it is. The jet damps a turn: what
-//! leaves has the velocity of the nozzle, and takes its moment of momentum along (the moment `-flow l^2 w` of jet
-//! damping, and what the fuel in the tank had, `-J' w`).
+//! Body z is along the rocket, with G in the middle of the tank, so that it stays fixed. The jet
+//! damps rotation: exhaust leaves with the velocity of the nozzle, and carries away its moment of
+//! momentum (the moment `-flow l^2 w` of jet damping, and the moment `-J' w` for the share of the
+//! fuel in the tank).
 //!
-//! To be checked: velocity and height are those of Tsiolkovsky; what is left of a turn is a power of the mass ratio.
+//! Asserts: velocity and height are those of Tsiolkovsky; the remaining rotation rate is a power of
+//! the mass ratio.
 
 use newton_euler::nalgebra::Vector3;
 use newton_euler::prelude::*;

@@ -1,11 +1,13 @@
-//! An unbalanced rotor on two bearings: what they carry at rest, and what is added with the square of the speed.
+//! An unbalanced rotor on two bearings: their loads at rest, and the increase with the square of
+//! the speed.
 //!
-//! The center of mass is off the axis by e, and the disc is askew, which gives a product of inertia. Bearing b holds the
-//! rotor along its axis too.
+//! The center of mass is off the axis by e, and the disc is tilted, which gives a product of
+//! inertia. Bearing b also holds the rotor along its axis.
 //!
-//! To be checked: at rest the bearings share the weight by their distances. In motion each carries, turning with the
-//! rotor and besides its share of the weight, `m e ω²` by the distances and the couple `J_zx ω²` over the span: the
-//! amplitude over ω² stays the same. The spin-up adds `m e α` across. A balanced rotor has none of this.
+//! Asserts: at rest the bearings share the weight by their distances. In motion each carries, in
+//! addition to its share of the weight and rotating with the rotor, `m e ω²` by the distances and
+//! the couple `J_zx ω²` over the span: the amplitude over ω² is constant. The spin-up adds `m e α`
+//! across. A balanced rotor has none of this.
 
 use newton_euler::nalgebra::Vector3;
 use newton_euler::prelude::*;
@@ -42,7 +44,7 @@ rigid_body!(Rotor {
     outputs: [reactions],
 });
 
-/// The loads of both bearings at a speed, averaged over a turn, and half of their range.
+/// The loads of both bearings at a speed, averaged over one turn, and half of their range.
 fn static_and_dynamic(rotor: &Rotor, speed: f64) -> [(f64, f64); 2] {
     let at = |angle: f64| {
         let state = Hinge {
@@ -51,7 +53,7 @@ fn static_and_dynamic(rotor: &Rotor, speed: f64) -> [(f64, f64); 2] {
         };
         rotor.reactions(0.0, &state, &RotorInput::default())
     };
-    // opposite angles: what turns changes its sign, what does not stays
+    // opposite angles: the rotating part changes its sign, the constant part does not
     let (here, there) = (at(0.0), at(std::f64::consts::PI));
     [(here.in_a, there.in_a), (here.in_b, there.in_b)].map(
         |(here, there): (Vector3<f64>, Vector3<f64>)| {

@@ -1,14 +1,14 @@
-//! A satellite held upright by the gravity gradient: libration in the plane of a circular orbit, with the orbit and the
-//! attitude computed together.
+//! A satellite held upright by the gravity gradient: libration in the plane of a circular orbit,
+//! with the orbit and the attitude computed together.
 //!
-//! The potential of the Earth on a small body, to the second order of its size, is
-//! -μ m / r - (μ / 2 r³) (tr J - 3 n · J n), with n the unit vector from the Earth, in body axes. Its force and its
-//! moment 3 μ/r³ n × J n are derived. World axes are inertial; body z, of the smallest moment, points away from the Earth,
-//! and body y, of the largest, is normal to the orbit.
+//! The potential of the Earth on a small body, to second order in its size, is -μ m / r - (μ / 2
+//! r³) (tr J - 3 n · J n), with n the unit vector from the Earth, in body axes. Its force and its
+//! moment 3 μ/r³ n × J n are derived. World axes are inertial; body z, with the smallest moment,
+//! points away from the Earth, and body y, with the largest, is normal to the orbit.
 //!
-//! To be checked: the moment, against 40-digit arithmetic; twice the libration angle is that of a pendulum, so that with
-//! J = (A, B, C) the period is that of the orbit over √(3 (A - C) / B), times 2 K(sin θ₀) / π; energy and angular
-//! momentum about the Earth are conserved.
+//! Asserts: the moment, against 40-digit arithmetic; twice the libration angle follows a pendulum,
+//! so with J = (A, B, C) the period is that of the orbit over √(3 (A - C) / B), times 2 K(sin θ₀) /
+//! π; energy and angular momentum about the Earth are conserved.
 
 use std::f64::consts::PI;
 
@@ -69,7 +69,7 @@ fn main() {
     );
     println!("  -4.648401653644315e-5 4.648401653644315e-5 2.324200826822157e-5 in 40 digits");
 
-    // A circular orbit in the plane of z and x; at rest in the turning frame, away from the vertical.
+    // A circular orbit in the plane of z and x; at rest in the rotating frame, off the vertical.
     let rate = (MU / RADIUS.powi(3)).sqrt();
     let orbit = 2.0 * PI / rate;
     let expected = orbit / f64::sqrt(3.0 * (120.0 - 90.0) / 150.0) * lengthening(AMPLITUDE);

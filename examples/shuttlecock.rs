@@ -1,14 +1,15 @@
 //! A shuttlecock in a side wind: drag behind the center of mass turns it cork first.
 //!
-//! Numbers: C. Cohen, B. Darbois Texier, D. Quéré, C. Clanet, The physics of badminton, New Journal of Physics 17 (2015)
-//! 063001: 5 g, section 28 cm², drag coefficient 0.6, center of pressure about 3 cm behind G. The inertia is an estimate from
-//! a cork of 3 g and a skirt of 2 g, 5 cm apart.
+//! Numbers: C. Cohen, B. Darbois Texier, D. Quéré, C. Clanet, The physics of badminton, New Journal
+//! of Physics 17 (2015) 063001: 5 g, section 28 cm², drag coefficient 0.6, center of pressure about
+//! 3 cm behind G. The inertia is an estimate from a cork of 3 g and a skirt of 2 g, 5 cm apart.
 //!
-//! Body x from the skirt to the cork, from G; world z is up; the wind is the velocity of the air, world axes. The drag
-//! acts at one point, against its velocity through the air, whatever the attitude.
+//! Body x from the skirt to the cork, from G; world z is up; the wind is the velocity of the air,
+//! world axes. The drag acts at one point, against its velocity through the air, at any attitude.
 //!
-//! To be checked: it ends cork down, moving with the wind and falling at √(2 m g / (ρ S C)); the energy lost is
-//! the work of the drag; the drag acts on the axis and makes no moment about it, so the spin about it stays.
+//! Asserts: it ends cork down, moving with the wind and falling at √(2 m g / (ρ S C)); the energy
+//! lost is the work of the drag; the drag acts on the axis and has no moment about it, so the spin
+//! about it is constant.
 
 use newton_euler::nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::{integrate, prelude::*};
@@ -51,7 +52,7 @@ fn main() {
     let input = ShuttlecockInput {
         wind: Vector3::new(2.0, 0.0, 0.0),
     };
-    // The cork nearly up: the unstable way. Spinning at 15 rad/s about its axis.
+    // Starts with the cork nearly up, the unstable attitude, spinning at 15 rad/s about its axis.
     let start = Spatial {
         position: Vector3::new(0.0, 0.0, 40.0),
         attitude: UnitQuaternion::from_scaled_axis(Vector3::new(0.0, -1.4, 0.0)),

@@ -1,12 +1,12 @@
-//! A walking quadruped on three feet: the torques of its joints and the forces of the ground.
+//! A walking quadruped on three feet: the torques of its joints and the ground forces.
 //!
-//! The feet stand on a ball, on a groove and on a plane, so that the balances determine all: the left
-//! fore foot is held in all directions, the right hind foot across and upwards, the right fore foot
-//! upwards. Inverse dynamics gives the torques that keep it at rest; the same robot with these torques
-//! as inputs does not move, and its reactions are the forces of the ground.
+//! The feet stand on a ball, on a groove and on a plane, so the balances determine all forces: the
+//! left fore foot is held in all directions, the right hind foot across and upwards, the right fore
+//! foot upwards. Inverse dynamics gives the torques that keep it at rest. The same robot with these
+//! torques as inputs does not move, and its reactions are the ground forces.
 //!
-//! To be checked: nothing accelerates; the forces of the ground carry the weight and nothing else; in
-//! motions that the feet allow, the work of the torques is what the potential energy gains.
+//! Asserts: nothing accelerates; the ground forces carry the weight and nothing else; in
+//! motions that the feet allow, the work of the torques is the gain of potential energy.
 
 use newton_euler::prelude::*;
 
@@ -141,7 +141,7 @@ fn main() {
             < 1e-11
     );
 
-    // virtual work: along ways that the feet allow, each torque alone moves its joint
+    // virtual work: along motions that the feet allow, each torque moves only its own joint
     let height = |state: &StandingState| standing.potential_energy(0.0, state, &());
     let mut worst = 0.0_f64;
     for joint in 0..8 {

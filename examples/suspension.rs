@@ -1,10 +1,10 @@
-//! Half a car on its suspension: two wheels on slides, springs and dampers, tyres that push as the
-//! road does.
+//! Half a car on its suspension: two wheels on slides, springs and dampers, and tyres pushed by the
+//! road.
 //!
 //! World x is forward, y up. Springs and dampers act between the body and the wheels; a tyre is a
 //! stiff spring to the road, which has one bump.
 //!
-//! To be checked: at rest the tyres carry the weight, each as the lever says; energy lost in the
+//! Asserts: at rest the tyres carry the weight, each by its lever arm; energy lost in the
 //! dampers brings the car back to rest after the bump.
 
 use newton_euler::prelude::*;

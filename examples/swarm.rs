@@ -1,8 +1,9 @@
-//! A thousand small satellites leave their deployer, each with a mass distribution and a tumble of its own, and turn for ten minutes in the
-//! gravity gradient of the Earth.
+//! A thousand small satellites leave their deployer, each with its own mass distribution and
+//! tumble, and rotate for ten minutes in the gravity gradient of the Earth.
 //!
-//! The body is generic over its scalar, so that an ensemble computes as many of them at once as fit into a register. Afterwards
-//! each member is what it would be alone, to the bit, and what no torque along the orbit's normal could change is unchanged.
+//! The body is generic over its scalar, so an ensemble computes as many of them at once as fit into
+//! a register. Afterwards each member is identical to a body integrated alone, to the bit, and the
+//! conserved quantity is unchanged: no torque acts along the orbit's normal.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::integrate::{DormandPrince8, Fixed};
@@ -12,7 +13,7 @@ rigid_body!(CubeSat::<T> {
     doc: "A 3U CubeSat in the gravity gradient of a circular orbit, against axes that do not turn.",
     motion: rotation,
     params: [
-        // about the long axis x, and what is uneven about it
+        // about the long axis x, and the asymmetry about it
         along = 0.007[kg * m ^ 2],
         uneven = 0.0004[kg * m ^ 2],
         // 3 GM / R^3 at 500 km
@@ -38,7 +39,7 @@ rigid_body!(CubeSat::<T> {
     outputs: [energy, momentum],
 });
 
-/// Numbers between -1 and 1 that are spread evenly.
+/// Numbers spread evenly between -1 and 1.
 fn spread(index: u32, irrational: f64) -> f64 {
     2.0 * (f64::from(index) * irrational).fract() - 1.0
 }
@@ -74,7 +75,7 @@ fn main() {
     let arrived = swarm.integrate().method(steps).to(duration);
     arrived.expect("a tumble is finite");
 
-    // as they would be alone
+    // identical to bodies integrated alone
     for index in [0, 1, 500, 999] {
         let (params, start) = member(index);
         let alone = CubeSat::new(params).expect("a possible body");
@@ -94,7 +95,7 @@ fn main() {
     println!("angular momentum about the vertical: changed by at most {worst:.1e} of its size");
     assert!(worst < 1e-13);
 
-    // what the first one feels: how its acceleration follows a tilt, by derivatives instead of differences
+    // the derivative of the first member's acceleration by a tilt, without finite differences
     let tilted = |angle: Dual<f64, 1>| {
         let half = angle * Dual::from(0.5);
         let (sine, cosine) = newton_euler::Scalar::sin_cos(half);

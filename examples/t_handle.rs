@@ -1,12 +1,14 @@
-//! A T-handle that flips about its intermediate axis: the effect seen by V. A. Dzhanibekov in orbit in 1985.
+//! A T-handle that flips about its intermediate axis: the effect seen by V. A. Dzhanibekov in orbit
+//! in 1985.
 //!
-//! Two thin rods: the stem along x, which is the axis it is spun about, and the bar across its end along y. Axes from
-//! G; no load, `motion: rotation`. The handle is flat, so that the moment about z is
-//! the sum of the other two; the one about the stem is the intermediate one.
+//! Two thin rods: the stem along x, about which it is spun, and the bar across its end along y.
+//! Axes from G; no load, `motion: rotation`. The handle is flat, so the moment about z is the sum
+//! of the other two; the one about the stem is the intermediate one.
 //!
-//! To be checked: half-turns follow each other at half the period of Jacobi's elliptic functions, from Euler's solution
-//! with the arithmetic-geometric mean; the same formula gives the published 39.105734197268720854 for J = (1, 2, 3),
-//! ω = (0.01, 1, 0.01). `outputs: [flow]` has the whole motion in closed form: where the steps end, and where they never would.
+//! Asserts: half-turns follow each other at half the period of Jacobi's elliptic functions, from
+//! Euler's solution with the arithmetic-geometric mean; the same formula gives the published
+//! 39.105734197268720854 for J = (1, 2, 3), ω = (0.01, 1, 0.01). `outputs: [flow]` gives the whole
+//! motion in closed form, at the ends of steps and at any other time.
 
 use std::f64::consts::PI;
 
@@ -31,9 +33,9 @@ rigid_body!(Handle {
     outputs: [energy, momentum, flow],
 });
 
-/// The period of ω in body axes: 4 K(k) over the rate of the elliptic argument, from Euler's solution (Landau &
-/// Lifshitz, § 37). Moments ascending. The square of the angular momentum less twice the energy times a moment, which
-/// the solution is made of, is summed without cancellation.
+/// The period of ω in body axes: 4 K(k) over the rate of the elliptic argument, from Euler's
+/// solution (Landau & Lifshitz, § 37). Moments ascending. The solution uses the square of the
+/// angular momentum minus twice the energy times a moment, which is summed without cancellation.
 fn period(moments: [f64; 3], angular_velocity: [f64; 3]) -> f64 {
     let excess = |i: usize| -> f64 {
         let terms = moments.iter().zip(&angular_velocity);

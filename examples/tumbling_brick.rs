@@ -1,16 +1,21 @@
-//! The tumbling brick of NASA: check-cases 2 and 3 for simulations of flight, beside what other simulations have published.
+//! NASA's tumbling brick: check-cases 2 and 3 for flight simulations, compared with published
+//! simulations.
 //!
-//! Source: NASA/TM-2015-218675, Check-Cases for Verification of 6-Degree-of-Freedom Flight Vehicle Simulations (2015), volume II, sections
-//! B.1.3, C.1.2 and C.1.3; the trajectories of its simulations, SIM 1 to SIM 6, are the files `Atmos_02_sim_01.csv` and so on that are published with it.
+//! Source: NASA/TM-2015-218675, Check-Cases for Verification of 6-Degree-of-Freedom Flight Vehicle
+//! Simulations (2015), volume II, sections B.1.3, C.1.2 and C.1.3. The trajectories of its
+//! simulations, SIM 1 to SIM 6, are published with it as `Atmos_02_sim_01.csv` and so on.
 //!
-//! A brick of 8 x 4 x 2.25 inches is let go above the equator, 30,000 ft high, with the air and turning at 10, 20, 30 deg/s about its axes, and
-//! falls for 30 s; body x points north, z down. In case 2 no load of the air acts, so that the rates are those of a free body, in closed form. In case 3
-//! the air damps each rate, L = q S b (b p / 2 V) Cₗₚ with Cₗₚ = -1, which is -¼ ρ V S b² p. World axes do not turn; the Earth is an
-//! ellipsoid (WGS-84) with gravitation to J₂, its air turns with it, of the density of the US Standard Atmosphere of 1976.
+//! A brick of 8 x 4 x 2.25 inches is released above the equator, 30,000 ft high, moving with the
+//! air and rotating at 10, 20, 30 deg/s about its axes, and falls for 30 s; body x points north, z
+//! down. In case 2 the air exerts no load, so the rates are those of a free body, in closed form.
+//! In case 3 the air damps each rate, L = q S b (b p / 2 V) Cₗₚ with Cₗₚ = -1, which is -¼ ρ V S b²
+//! p. World axes do not rotate. The Earth is an ellipsoid (WGS-84) with gravitation to J₂; its air
+//! rotates with it, with the density of the US Standard Atmosphere of 1976.
 //!
-//! To be checked: the rates against 40-digit arithmetic and against the publication, in which SIM 1 and SIM 4 agree to ten digits; height and angles
-//! from north, east and down against the publication. Its simulations read case 3 in two ways: in SIM 1, 2 and 4 the air damps the rates among the
-//! stars, in SIM 5 and 6 those in the turning air, as here with `wind = 1`.
+//! Asserts: the rates against 40-digit arithmetic and against the publication, in which SIM 1 and
+//! SIM 4 agree to ten digits; height and angles from north, east and down against the publication.
+//! Its simulations interpret case 3 in two ways: in SIM 1, 2 and 4 the air damps the rates relative
+//! to the stars, in SIM 5 and 6 those relative to the rotating air, as here with `wind = 1`.
 
 #![allow(clippy::unreadable_literal, reason = "as published")]
 
@@ -58,7 +63,7 @@ rigid_body!(FallingBrick {
         )],
 });
 
-/// How long it falls \[s\].
+/// The duration of the fall \[s\].
 pub(crate) const SECONDS: f64 = 30.0;
 const FOOT: f64 = 0.3048;
 const RADIUS: f64 = 6_378_137.0;
@@ -77,7 +82,7 @@ pub(crate) fn free() -> Rotation {
     }
 }
 
-/// On world x, with the air.
+/// On world x, moving with the air.
 pub(crate) fn let_go() -> Spatial {
     let away = RADIUS + 30_000.0 * FOOT;
     Spatial {
@@ -88,7 +93,7 @@ pub(crate) fn let_go() -> Spatial {
     }
 }
 
-/// After the fall, with errors of 1e-13 a step.
+/// After the fall, with errors of 1e-13 per step.
 pub(crate) fn fallen(damping: f64, wind: f64) -> Spatial {
     let brick = FallingBrick::new(FallingBrickParams { damping, wind });
     let brick = brick.expect("a brick");
@@ -120,7 +125,7 @@ fn degrees(rates: &Vector3<f64>) -> [f64; 3] {
     rates.map(f64::to_degrees).into()
 }
 
-/// What the simulations have published after 30 s: rates about the axes of the body \[deg/s\] of case 2.
+/// The published results after 30 s: rates about the axes of the body \[deg/s\] in case 2.
 const TURNS: [(&str, [f64; 3]); 5] = [
     (
         "SIM 1",
@@ -185,7 +190,7 @@ pub(crate) const UNDAMPED: [(&str, [f64; 4]); 5] = [
     ),
 ];
 
-/// The same of case 3.
+/// The same for case 3.
 pub(crate) const DAMPED: [(&str, [f64; 4]); 5] = [
     (
         "SIM 1",

@@ -1,9 +1,9 @@
-//! An arm from a URDF file that holds a weight. What is beside the file is in the description: the
-//! weight in its grip, gravity, motors. The finger is held where it is.
+//! An arm from a URDF file that holds a weight. The description adds the
+//! weight in its grip, gravity and motors to the file. The finger is locked.
 //!
-//! To be checked: the torques that hold the arm, reaching out, are the moments of the weights about
-//! its joints; with them it rests, as long as nothing disturbs it; all that the arm weighs is on the
-//! joint at its base.
+//! Asserts: the torques that hold the arm, reaching out, are the moments of the weights about its
+//! joints; with them it stays at rest, as long as nothing disturbs it; the joint at the base
+//! carries the whole weight.
 
 use newton_euler::prelude::*;
 
@@ -30,7 +30,8 @@ rigid_system!(Arm {
     outputs: [inverse, reactions(pan), energy],
 });
 
-/// What turns downwards about the joints that lift, with the mass of each part and where it is along x.
+/// The weights that act about the lifting joints, with the mass of each part and its position along
+/// x.
 fn moments() -> [f64; 2] {
     let (elbow, hand) = (0.4, 0.4 + 0.35);
     let parts = [

@@ -1,12 +1,12 @@
-//! Prints the description that a file of a robot amounts to, to be taken over and edited:
+//! Prints the description equivalent to a robot file, for copying and editing:
 //!
 //! ```sh
 //! cargo run --example describe -- robot.urdf
 //! cargo run --example describe -- robot.urdf 'locked: [finger = 20[mm]], joints: [root = free(base)]'
 //! ```
 //!
-//! What is written behind the file are keys that stand beside it. All numbers are in SI units and
-//! keep their decimals; rustfmt lays the text out.
+//! Arguments after the file are additional keys. All numbers are in SI units and
+//! keep their decimals; rustfmt formats the text.
 #![allow(
     dead_code,
     unused_imports,
@@ -30,7 +30,7 @@ use errors::Errors;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
-/// The description that a file amounts to, with keys beside it; or what is wrong with them.
+/// The description equivalent to a file with additional keys, or the errors in them.
 fn described(path: &Path, beside: &str) -> Result<TokenStream, Vec<String>> {
     let full = path.canonicalize();
     let full = full.map_err(|error| vec![format!("{}: {error}", path.display())])?;
@@ -72,7 +72,7 @@ fn name(path: &Path) -> proc_macro2::Ident {
     format_ident!("{}", if is_name { &name } else { "Robot" })
 }
 
-/// The texts in what `compile_error!` is called with.
+/// The texts of `compile_error!` calls.
 fn strings(tokens: TokenStream) -> Vec<String> {
     let mut found = Vec::new();
     for token in tokens {

@@ -1,9 +1,12 @@
-//! Long runs: what a hundred million steps leave of energy, angular momentum and attitude, and a satellite's week.
+//! Long runs: the drift of energy, angular momentum and attitude over a hundred million steps, and
+//! a satellite's week.
 //!
-//! Each method follows each body from four starts in steps of equal length. After 2, 4, 8, ... steps its errors are noted, and
-//! the law of their growth is fitted, error = a nᵖ: rounding that is summed with compensation is a random walk, p = ½, and what a method
-//! loses in every step grows with their number, p = 1; an angle, which goes on with what is lost of the pace, by one power more. A table is printed,
-//! and written under `target/measures` as `long_runs.csv` and `long_runs.svg`:
+//! Each method integrates each body from four starts in steps of equal length. Errors are recorded
+//! after 2, 4, 8, ... steps, and the law of their growth is fitted, error = a nᵖ. Rounding that is
+//! summed with compensation is a random walk, p = ½. The loss of a method in every step grows with
+//! their number, p = 1. An angle, which accumulates the error of the rate, has one power more. The
+//! program prints a table and writes it under `target/measures` as `long_runs.csv` and
+//! `long_runs.svg`:
 //!
 //! ```sh
 //! cargo run --release --example long_runs                  # a few seconds: 2¹⁷ steps
@@ -11,7 +14,8 @@
 //! cargo run --release --example long_runs -- --full        # a quarter of an hour: 2²⁷ = 1.3e8 steps
 //! ```
 //!
-//! To be checked: the exponents beside those that are expected; energy and momentum of the series within 1e-13 after 2²² steps.
+//! Asserts: the exponents agree with the expected ones; energy and momentum of the series are
+//! within 1e-13 after 2²² steps.
 
 mod bodies;
 #[path = "../../benches/measure/chart.rs"]
@@ -39,7 +43,7 @@ use growth::{Growth, follow};
 use problem::Problem;
 use report::Table;
 
-/// All methods on a problem, with what comes out.
+/// All methods on a problem, with their results.
 fn all<B>(problem: &Problem<'_, B>, doublings: u32) -> Vec<Growth>
 where
     B: Taylor<State = Rotation, Input = ()> + Energy + Momentum<Angular = Vector3<f64>>,

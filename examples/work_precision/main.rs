@@ -1,7 +1,8 @@
-//! Time against error: every method of this library and what else one would reach for, on the same problems.
+//! Time against error: every method of this library and its alternatives, on the same problems.
 //!
-//! One core, medians of rounds in which all are timed in turn; the error is that of the end state, against more digits than a double
-//! has. A table is printed, and written under `target/measures` as `work_precision.csv` and `.svg`:
+//! One core, medians of rounds in which all are timed in turn. The error is that of the end state,
+//! compared with more digits than a double has. The program prints a table and writes it under
+//! `target/measures` as `work_precision.csv` and `.svg`:
 //!
 //! ```sh
 //! cargo run --release --example work_precision                  # a few seconds
@@ -10,8 +11,9 @@
 //! cargo run --release --example work_precision -- --full target/measures/peers.csv
 //! ```
 //!
-//! The last reads what `benches/peers/work_precision.py` has measured. What a method is for (`ours.rs`, `peers/`), and the problems
-//! (`bodies.rs`, `by_hand.rs`, `systems/`; their ends are those of `tests/reference`), is a file each.
+//! The last one reads the measurements of `benches/peers/work_precision.py`. Each method
+//! (`ours.rs`, `peers/`) and each problem (`bodies.rs`, `by_hand.rs`, `systems/`; their ends are
+//! those of `tests/reference`) is one file.
 
 mod bodies;
 mod by_hand;
@@ -56,7 +58,7 @@ const FULL: Care = Care {
     longest: Duration::from_millis(30),
 };
 
-/// Of a thousand bodies.
+/// For a thousand bodies.
 const MANY: Care = Care {
     rounds: 11,
     shortest: 200e-6,

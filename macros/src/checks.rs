@@ -1,4 +1,4 @@
-//! Checks: what a description claims of the motion, decided at exact numbers while it is expanded.
+//! Checks: claims of a description about the motion, decided with exact numbers at expansion.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +10,7 @@ use super::errors::Errors;
 /// Values of symbols.
 type Known = BTreeMap<Id, Number>;
 
-/// Reports all that does not hold, or is not decided; `answers` are what stands for symbols that
+/// Reports all claims that are false or undecided; `answers` replace symbols that
 /// follow from the motion.
 pub fn check_claims(
     (checks, defaults): (&Checks, &Defaults),
@@ -25,7 +25,7 @@ pub fn check_claims(
     }
 }
 
-/// What is given; of the params that are not, the defaults.
+/// The given values, and the defaults of the other params.
 fn given(
     check: &Check,
     defaults: &Defaults,
@@ -75,7 +75,7 @@ fn given(
 const UNDECIDED: &str =
     "whether something in this is zero is not told by thousands of bits, nor proved";
 
-/// Decides all that one check claims.
+/// Decides all claims of one check.
 fn decide(
     check: &Check,
     known: &Known,
@@ -111,7 +111,8 @@ fn decide(
     }
 }
 
-/// What a value lacks, where that follows from the motion.
+/// The symbols that a value lacks; those that follow from the motion are replaced by what they
+/// lack.
 fn followed(value: Exact, without: &BTreeMap<Id, Exact>) -> Exact {
     let Exact::Open(symbols) = value else {
         return value;
@@ -134,7 +135,7 @@ fn evaluate(work: &Workspace, id: Id, known: &Known) -> Exact {
     values.pop().unwrap_or(Exact::Absent)
 }
 
-/// Why a claim is not true, or not known to be.
+/// The reason why a claim is false, or undecided.
 fn refuted(claim: &Claim, found: &[Exact], context: (&Outline, &Workspace)) -> Option<String> {
     let (a, b) = match found {
         [Exact::Number(a), Exact::Number(b)] => (a, b),
@@ -172,7 +173,7 @@ fn refuted(claim: &Claim, found: &[Exact], context: (&Outline, &Workspace)) -> O
     }
 }
 
-/// Two numbers in words; what doubles do not tell apart, by its difference.
+/// Two numbers in words; if doubles do not distinguish them, by their difference.
 fn told_apart(left: &Number, right: &Number) -> (String, String) {
     let (first, second) = (shown(left), shown(right));
     let difference = right.clone() - left.clone();
@@ -188,7 +189,7 @@ fn told_apart(left: &Number, right: &Number) -> (String, String) {
     (first, beyond)
 }
 
-/// Names of what is not given.
+/// The names of missing values.
 fn lacking(symbols: &BTreeSet<Id>, (outline, work): (&Outline, &Workspace)) -> String {
     let names = symbols.iter().map(|symbol| name(*symbol, outline, work));
     let names: BTreeSet<String> = names.collect();
@@ -221,7 +222,7 @@ fn name(symbol: Id, outline: &Outline, work: &Workspace) -> String {
             let mut fields = shape.fields.iter();
             let field = fields.find(|field| field.component(meaning).is_some());
             let path = field.map_or("acceleration", |field| field.path);
-            // a quaternion is given as an attitude
+            // the components of a quaternion are given as `attitude`
             let path = path.split('.').next().unwrap_or(path);
             joint.map_or(path.to_owned(), |joint| format!("{}.{path}", joint.name))
         }

@@ -3,7 +3,7 @@
 use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
-/// The stretch of a description that an error underlines.
+/// The part of a description that an error underlines.
 #[derive(Clone, Copy, Debug)]
 pub struct Extent {
     first: Span,
@@ -11,7 +11,7 @@ pub struct Extent {
     source: Option<Source>,
 }
 
-/// A place in a file that a description names, by its number among those of `Errors`.
+/// A place in a file that a description reads, by its index in `Errors`.
 #[derive(Clone, Copy, Debug)]
 pub struct Source(usize);
 
@@ -30,7 +30,7 @@ impl Extent {
         }
     }
 
-    /// The same, for what stands at a place in a file.
+    /// The same, for an item at a place in a file.
     pub fn within(self, source: Source) -> Self {
         Self {
             source: Some(source),
@@ -38,7 +38,7 @@ impl Extent {
         }
     }
 
-    /// What stands at the same place in a file, underlined elsewhere.
+    /// An item at the same place in a file, underlined elsewhere.
     pub fn underlining(self, span: Span) -> Self {
         Self {
             first: span,
@@ -66,12 +66,12 @@ impl From<Span> for Extent {
     }
 }
 
-/// The errors found so far. Whoever owns the bag has to look into it: [`Errors::finish`].
+/// The errors found so far. The owner must call [`Errors::finish`].
 #[derive(Default)]
 pub struct Errors {
     found: Vec<syn::Error>,
     finished: bool,
-    /// Where in files something stands, in words.
+    /// The places in files, in words.
     sources: Vec<String>,
 }
 
@@ -94,7 +94,7 @@ impl Errors {
         ));
     }
 
-    /// An error in the place of a value.
+    /// Reports an error in place of a value.
     pub fn report<T>(
         &mut self,
         place: impl Into<Extent>,
@@ -104,7 +104,7 @@ impl Errors {
         None
     }
 
-    /// A place in a file, which the errors that are found there name.
+    /// Registers a place in a file, which the errors found there name.
     pub fn source(&mut self, words: String) -> Source {
         self.sources.push(words);
         Source(self.sources.len() - 1)
@@ -114,7 +114,7 @@ impl Errors {
         self.found.len()
     }
 
-    /// Forgets what was found beyond so many: it is to be read again.
+    /// Forgets errors beyond this count: the source will be read again.
     pub fn take_back(&mut self, count: usize) {
         self.found.truncate(count);
     }
@@ -144,7 +144,7 @@ impl Drop for Errors {
     }
 }
 
-/// Reads what was read before, whose mistakes are reported already.
+/// Reads a source again, whose errors are already reported.
 pub fn silently<T>(read: impl FnOnce(&mut Errors) -> T) -> T {
     let mut reported = Errors::default();
     let found = read(&mut reported);
@@ -152,7 +152,7 @@ pub fn silently<T>(read: impl FnOnce(&mut Errors) -> T) -> T {
     found
 }
 
-/// All of these, if none was reported. Every one is read, so that no mistake hides another.
+/// All values, if no error was reported. Every one is read, so that no mistake hides another.
 pub fn every<T>(read: impl IntoIterator<Item = Option<T>>) -> Option<Vec<T>> {
     let all: Vec<Option<T>> = read.into_iter().collect();
     all.into_iter().collect()
@@ -178,7 +178,7 @@ pub fn similar<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
         .map(|(_, known)| known)
 }
 
-/// Words of which all in a row mean one kind of joint: here, in files, and in other tools.
+/// Each row lists words for one kind of joint: here, in files, and in other tools.
 const JOINTS: [&[&str]; 10] = [
     &[
         "revolute",
@@ -214,20 +214,20 @@ const JOINTS: [&[&str]; 10] = [
     &["cylindrical", "cylinder", "pin_in_slot"],
 ];
 
-/// The one of the known kinds of joints that a word means elsewhere.
+/// The known kind of joint that a word means elsewhere.
 fn joint_meant<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     let word = word.to_lowercase();
     let mut rows = JOINTS.iter().filter(|row| row.contains(&word.as_str()));
     rows.find_map(|row| known.iter().copied().find(|known| row.contains(known)))
 }
 
-/// `; did you mean ...?` of kinds of joints, or nothing.
+/// `; did you mean ...?` for kinds of joints, or nothing.
 pub fn hint_of_joint(word: &str, known: &[&str]) -> String {
     let meant = joint_meant(word, known).or_else(|| similar(word, known.iter().copied()));
     meant.map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
 }
 
-/// Functions by the names that they have elsewhere.
+/// Functions by their names elsewhere.
 const FUNCTIONS: [(&str, &str); 13] = [
     ("log", "ln"),
     ("sgn", "signum"),
@@ -255,7 +255,7 @@ pub fn hint<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String 
     similar(name, known).map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
 }
 
-/// Insertions, deletions, substitutions and exchanges of neighbours that make `b` of `a`.
+/// The number of insertions, deletions, substitutions and exchanges of neighbors from `a` to `b`.
 fn distance(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
     let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];

@@ -13,7 +13,7 @@ use crate::range::check_range;
 use crate::syntax::File;
 use crate::{lower, syntax};
 
-/// A body or a system without mistakes, and what it is asked for.
+/// A correct body or system, and its requested outputs.
 type Solved<S> = (Sound, Outputs<S>);
 
 /// Expands `(runtime) Name { key: value, .. }`.
@@ -24,7 +24,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     };
     let mut outline = lower::outline(&description, &offers::<Model>(), &mut errors);
     let model = lower::lower_description(&description, &mut outline, &mut errors);
-    // what is wrong with a sound description: rank, solvability, range
+    // errors of a well-formed description: rank, solvability, range
     let solved = model
         .filter(|_| errors.is_empty())
         .and_then(|(model, work)| solve(&outline, model, None, work, &mut errors));
@@ -56,7 +56,7 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
     tracked.into_iter().chain([all]).collect()
 }
 
-/// The code; of a description with mistakes, these and the same items without content.
+/// The code; for an invalid description, its errors and the same items without content.
 fn emit<S: Listed>(mut outline: Outline, solved: Option<Solved<S>>, errors: Errors) -> TokenStream {
     match (errors.finish(), solved) {
         (None, Some((sound, outputs))) => {
@@ -70,8 +70,8 @@ fn emit<S: Listed>(mut outline: Outline, solved: Option<Solved<S>>, errors: Erro
     }
 }
 
-/// What a body or a system without mistakes has, and what it is asked for; `file` is what it was
-/// read from.
+/// The content of a correct body or system, and its requested outputs; `file` is its
+/// source file.
 fn solve<S: Listed>(
     outline: &Outline,
     model: S,

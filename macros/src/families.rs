@@ -1,4 +1,4 @@
-//! Kinds of loads, by their keys and by what they are.
+//! Kinds of loads, by their keys and their nature.
 
 /// The families of loads of (1.3) and (1.4), by their keys.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-/// A fraction in lowest terms, of a positive denominator; both are at most [`Fraction::MOST`].
+/// A fraction in lowest terms, with a positive denominator; both are at most [`Fraction::MOST`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Fraction {
     numerator: i32,
@@ -14,7 +14,7 @@ impl Fraction {
     pub const ZERO: Self = Self::whole(0);
     pub const ONE: Self = Self::whole(1);
 
-    /// Of a small number.
+    /// From a small integer.
     pub const fn whole(numerator: i32) -> Self {
         Self {
             numerator,

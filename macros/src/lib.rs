@@ -17,7 +17,7 @@ mod range;
 mod symbolic;
 mod syntax;
 
-/// Expands a description behind the path of the runtime, as the macro of `newton-euler` passes it.
+/// Expands a description after the path of the runtime, as passed by the macro of `newton-euler`.
 #[proc_macro]
 pub fn rigid_body(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     expand::expand(input.into()).into()

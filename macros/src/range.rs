@@ -5,8 +5,8 @@ use crate::symbolic::{Id, Number, Stage};
 
 use super::errors::Errors;
 
-/// Reports constants of the equations that no double can hold, with the defaults where parameters
-/// have them.
+/// Reports constants of the equations that no double can hold, using the defaults of
+/// parameters.
 pub fn check_range(
     (bodies, defaults): (&[Substance], &Defaults),
     work: &mut Workspace,
@@ -63,8 +63,8 @@ pub fn check_range(
     check_rounded_inertia((bodies, defaults), work, outline, errors);
 }
 
-/// Reports an inertia that is possible as it is written, and that the constructor, which computes
-/// in doubles, does not find so with the defaults of all parameters.
+/// Reports an inertia that is possible as written, but that the constructor, which computes
+/// in doubles, rejects with the defaults of all parameters.
 fn check_rounded_inertia(
     (bodies, defaults): (&[Substance], &Defaults),
     work: &Workspace,
@@ -130,7 +130,7 @@ fn overflows(
     values.iter().any(|value| !value.is_finite())
 }
 
-/// Reports the first part of the description that has no value with the defaults of the parameters.
+/// Reports the first part of the description without a value for the defaults of the parameters.
 pub fn report_without_value(
     defaults: &Defaults,
     work: &mut Workspace,

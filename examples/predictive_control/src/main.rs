@@ -1,18 +1,22 @@
-//! A cart that carries a pole upright to another place, under model-predictive control: the motor pushes 4 N at most.
+//! A cart moves an upright pole to another place, under model-predictive control: the motor pushes
+//! 4 N at most.
 //!
-//! Twenty times a second the forces of the next second are chosen anew, of which the first acts. They minimise
+//! Twenty times a second the forces of the next second are recomputed, and the first one is
+//! applied. They minimize
 //!
 //! ```text
 //! sum of x.W x + r u^2  +  x_N.S x_N,    x_(k+1) = P x_k + q u_k,    |u_k| <= 4 N
 //! ```
 //!
-//! P and q follow from the description by `linearize` and `discretized`, S is what the motion costs from there on, by
-//! Riccati's equation. With the states written as sums of the forces this is a quadratic program in the forces alone, and
-//! the crate `clarabel` solves it. What moves is the whole system, not its linearisation.
+//! P and q follow from the description by `linearize` and `discretized`. S is the cost of the
+//! motion from there on, by Riccati's equation. With the states written as sums of the forces this
+//! is a quadratic program in the forces alone, and the crate `clarabel` solves it. The simulated
+//! system is the full one, not its linearization.
 //!
-//! To be checked: the bound holds, and is reached; each solution satisfies the conditions of Karush, Kuhn and Tucker; where
-//! no bound is near, the force is that of the linear-quadratic regulator; the pole stands at the new place. The regulator
-//! alone, its force cut off at the bound, lets it fall.
+//! Asserts: the bound holds, and is reached; each solution satisfies the Karush–Kuhn–Tucker
+//! conditions; where no bound is near, the force is that of the linear-quadratic regulator; the
+//! pole stands at the new place. With the regulator alone, its force clipped to the bound, the pole
+//! falls.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
@@ -47,7 +51,7 @@ rigid_system!(CartPole {
 
 const PERIOD: f64 = 0.05;
 const HORIZON: usize = 20;
-/// The motor pushes so much at most [N].
+/// The largest force of the motor [N].
 const MOST: f64 = 4.0;
 const EFFORT: f64 = 0.1;
 
@@ -56,12 +60,12 @@ type State = SVector<f64, 4>;
 type Forces = SVector<f64, HORIZON>;
 type Hessian = SMatrix<f64, HORIZON, HORIZON>;
 
-/// W: of place, angle and their rates.
+/// W: weights of position, angle and their rates.
 fn weights() -> States {
     States::from_diagonal(&State::new(10.0, 10.0, 1.0, 1.0))
 }
 
-/// S, and the gains of the regulator u = -k x that has no bounds.
+/// S, and the gains of the regulator u = -k x without bounds.
 fn regulator(p: &States, q: &State) -> (States, RowSVector<f64, 4>) {
     let mut s = weights();
     for _period in 0..2000 {
@@ -71,7 +75,7 @@ fn regulator(p: &States, q: &State) -> (States, RowSVector<f64, 4>) {
     (s, q.transpose() * s * p / (EFFORT + q.dot(&(s * q))))
 }
 
-/// The quadratic program: half of u.H u + u.G x is to be least.
+/// The quadratic program: minimize half of u.H u + u.G x.
 struct Program {
     hessian: Hessian,
     slopes: SMatrix<f64, HORIZON, 4>,
@@ -128,7 +132,7 @@ impl Program {
         Forces::from_column_slice(&solver.solution.x)
     }
 
-    /// How far forces are from those that minimise: the gradient, as far as no bound stands against it.
+    /// The distance of forces from the optimum: the gradient, except where a bound opposes it.
     fn residual(&self, x: &State, forces: &Forces) -> f64 {
         let gradient = self.hessian * forces + self.slopes * x;
         let moved =
@@ -137,7 +141,7 @@ impl Program {
     }
 }
 
-/// How far a state is from the pole upright at the new place.
+/// The deviation of a state from the pole upright at the new place.
 fn off(state: &CartPoleState) -> State {
     let (rail, hinge) = (&state.rail, &state.hinge);
     State::new(
@@ -148,7 +152,8 @@ fn off(state: &CartPoleState) -> State {
     )
 }
 
-/// How the cart goes from 1.5 m beside the place, under a controller of the force, and what was asked at each instant.
+/// The motion of the cart from 1.5 m off the target, under a force controller, with the state and
+/// force at each instant.
 fn drive<L>(
     system: &CartPole,
     mut controller: impl FnMut(&State) -> (f64, L),

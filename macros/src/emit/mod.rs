@@ -1,7 +1,7 @@
 //! From equations to tokens. Nothing can fail here.
 //!
-//! The only room, with the outputs above it, that names the runtime: everything goes through the
-//! path that the wrapper of the macro passes, so that a renamed dependency or a re-export works.
+//! Together with the outputs, this is the only room that names the runtime: everything goes through
+//! the path passed by the wrapper of the macro, so a renamed dependency or a re-export works.
 
 pub mod code;
 pub mod items;
@@ -15,7 +15,7 @@ use crate::model::{Outline, Substance, Workspace};
 use code::{Site, Writer};
 use items::{Addition, Constructor, Documentation, Equated, Roots};
 
-/// What a description without mistakes has beside its outline.
+/// The content of a correct description beyond its outline.
 pub struct Sound {
     /// The bodies whose mass and inertia the constructor checks.
     pub bodies: Vec<Substance>,
@@ -25,7 +25,7 @@ pub struct Sound {
     pub roots: Roots,
 }
 
-/// What makes a build look again at a file that was read, when it has changed.
+/// Makes a build depend on a file that was read.
 pub fn emit_tracked(path: Option<&str>) -> Option<TokenStream> {
     path.map(|path| {
         quote!(
@@ -34,9 +34,9 @@ pub fn emit_tracked(path: Option<&str>) -> Option<TokenStream> {
     })
 }
 
-/// The type of a body, its parameters and inputs, and all that it implements; `add` writes what is
-/// asked for beyond the accelerations. For a description with mistakes they are the same items, so
-/// that nothing else turns red: they compile and do nothing.
+/// The type of a body, its parameters and inputs, and all its implementations; `add` writes the
+/// requested outputs. An invalid description gets the same items without content, so
+/// that nothing else reports an error.
 pub fn emit_body(
     outline: &Outline,
     sound: Option<&Sound>,

@@ -1,4 +1,4 @@
-//! A description, read in order: what it declares, the body, its loads.
+//! A description, read in order: its declarations, the body, its loads.
 
 use crate::errors::{Errors, every};
 use crate::lower::definitions::{INVERSE, LINEARIZATION, check_changing, check_names, unused};
@@ -6,7 +6,7 @@ use crate::lower::expressions::{Lowering, Members, Scope, is_drive, is_unknown};
 use crate::model::{Declared, Drawn, ENTRIES, Labels, Model, Outline, Workspace, state_symbols};
 use crate::syntax::{self, Description};
 
-/// Gives a description its meaning. `None` if anything was wrong with it.
+/// Gives a description its meaning. `None` if there was any error.
 pub fn lower_description(
     description: &Description,
     outline: &mut Outline,
@@ -56,7 +56,7 @@ pub fn lower_description(
     lowering.name_reactions(description, &reactions);
     let loads = every(known.into_iter().map(|load| lowering.load(load)));
     let pole = lowering.pole(description.pole.as_ref());
-    // what is claimed of the motion may ask for all that is solved for
+    // claims about the motion may use all solved quantities
     lowering.is_constrained = true;
     if !description.checks.is_empty() {
         lowering.name_reactions(description, &reactions);
@@ -88,7 +88,7 @@ pub fn lower_description(
     Some((model, work))
 }
 
-/// The loads that are no fields: unknown reactions, unknown drives, and those that are known.
+/// The loads other than fields: unknown reactions, unknown drives, and given loads.
 fn loads_by_kind(description: &Description) -> [Vec<&syntax::Load>; 3] {
     let mut kinds = [Vec::new(), Vec::new(), Vec::new()];
     let loads = description.loads.iter();
@@ -103,7 +103,7 @@ fn loads_by_kind(description: &Description) -> [Vec<&syntax::Load>; 3] {
     kinds
 }
 
-/// Mass and inertia are called what they are, where they are computed.
+/// Names mass and inertia where they are computed.
 fn name_properties(model: &Model, labels: &mut Labels) {
     let entries = model.inertia_entries();
     let is_one = entries.len() == 1;

@@ -1,4 +1,4 @@
-//! Lowering: from what was written to what was meant.
+//! Lowering: from the written description to its meaning.
 
 mod definitions;
 mod description;

@@ -1,6 +1,7 @@
-//! What was meant: names resolved, frames and dimensions checked, loads and inertia in the graph.
+//! The meaning of a description: names resolved, frames and dimensions checked, loads and inertia
+//! in the graph.
 //!
-//! The [`Outline`] of a body always exists; its [`Model`] exists if nothing was wrong.
+//! The [`Outline`] of a body always exists; its [`Model`] exists if there were no errors.
 
 mod body;
 mod joints;
@@ -30,34 +31,34 @@ pub use words::{
 
 use crate::symbolic::{Components, Graph, Id};
 
-/// A description, understood.
+/// The meaning of a description.
 #[derive(Clone)]
 pub struct Model {
     pub motion: Motion,
-    /// How many derivatives of each input are given: the inputs behind it.
+    /// The number of given derivatives of each input: they are declared after it.
     pub derivatives: Vec<usize>,
     pub state: State,
-    /// States of its own.
+    /// User-defined states.
     pub states: Vec<Own>,
     pub mass: Option<Id>,
     pub inertia: Inertia,
-    /// Its equations are differentiated.
+    /// Its equations must be differentiated.
     pub is_differentiated: bool,
-    /// An inertia was written for a body that does not turn.
+    /// An inertia was given for a body that does not rotate.
     pub has_idle_inertia: bool,
     pub loads: Vec<Load>,
-    /// The same by the symbols of accelerations, where any of them follow these.
+    /// The same by the symbols of accelerations, if any loads depend on these.
     pub following: Vec<Load>,
-    /// What becomes a load by differentiation.
+    /// Potentials and fields that become loads by differentiation.
     pub potentials: Potentials,
     /// Loads with unknown components.
     pub reactions: Vec<Reaction>,
-    /// Drives with unknown components, at rest in the accelerations.
+    /// Drives with unknown components, which are zero in the accelerations.
     pub drives: Vec<Reaction>,
-    /// What the motion keeps at zero, by scalars.
+    /// The constraints of the motion, as scalars.
     pub constraints: Vec<Constraint>,
     pub pole: Point,
-    /// The values of the parameters that have a default.
+    /// The default values of parameters.
     pub defaults: Defaults,
     pub checks: Checks,
 }
@@ -75,7 +76,7 @@ impl Model {
         Some(support.direction.unwrap_or(z))
     }
 
-    /// What the body of this name is made of.
+    /// Mass and inertia of the body with this name.
     pub fn substance(&self) -> Substance {
         Substance {
             name: None,
@@ -84,13 +85,13 @@ impl Model {
         }
     }
 
-    /// The entries xx, yy, zz, xy, yz, zx of the inertia, or the one of a planar body.
+    /// The entries xx, yy, zz, xy, yz, zx of the inertia, or that of a planar body.
     pub fn inertia_entries(&self) -> Vec<Id> {
         self.inertia.distinct_entries()
     }
 }
 
-/// What inputs change by that move: each part with its rate.
+/// The rates of `.moving` inputs: each part with its rate.
 pub fn input_rates(work: &Workspace, derivatives: &[usize]) -> Vec<(Id, Id)> {
     let moving = derivatives.iter().enumerate();
     let moving = moving.filter(|(_, given)| **given > 0);

@@ -23,7 +23,7 @@ pub fn reactions_by_name(site: &Site<'_>) -> Record {
     Record {
         suffix: "Reactions",
         doc: format!(
-            " What the joints of [`{}`] do to the bodies that they carry, at their points there, world axes; drives included.",
+            " The loads of the joints of [`{}`] on the bodies that they carry, at the joints' points on these bodies, world axes; drives included.",
             outline.name
         ),
         fields: fields.collect(),

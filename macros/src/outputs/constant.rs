@@ -1,4 +1,4 @@
-//! `constant`: the accelerations as a function of constants, for claims in the code of the user.
+//! `constant`: the accelerations as a `const fn`, for claims in the user's code.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -76,7 +76,7 @@ impl<S: Subject> Output<S> for Constant {
             return Addition::default();
         };
         let docs = [
-            " The accelerations in a constant, with the defaults of all params.".to_owned(),
+            " The accelerations, for use in constants, with the defaults of all params.".to_owned(),
             String::new(),
             format!(" State: {}.", listed(&state)),
             format!(" Input: {}.", listed(&input)),
@@ -84,7 +84,7 @@ impl<S: Subject> Output<S> for Constant {
         let (body, applied) = (&outline.name, site.shapes.scalar.applied());
         let (lints, mut content) = (method.lints(), method.body.clone());
         if self.0.is_none() {
-            // that of a description with mistakes
+            // the body for an invalid description
             content = quote!([0.0; #found]);
         }
         Addition {
@@ -117,7 +117,7 @@ fn listed(names: &[String]) -> String {
     names.join(", ")
 }
 
-/// What a constant cannot be made of, each once.
+/// The obstacles to evaluation in a constant, each once.
 fn obstacles(work: &Workspace, outline: &Outline, roots: &[Id]) -> Vec<String> {
     let graph = &work.graph;
     let mut found: Vec<String> = Vec::new();

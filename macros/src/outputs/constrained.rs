@@ -1,5 +1,5 @@
-//! How far a state is from its constraints, whether that is rounding, and the way back: what a
-//! body has if its motion is under constraints.
+//! Violations of constraints, their check, and the projection, for bodies whose motion is under
+//! constraints.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -16,7 +16,7 @@ use super::subject::Subject;
 #[derive(Default)]
 pub struct Constrained(Option<Kept>);
 
-/// The constraints that a motion keeps, and how far rounding reaches in each.
+/// The constraints of a motion, and the rounding of each.
 struct Kept {
     constraints: Vec<Consistency>,
     reach: Vec<Reach>,
@@ -155,7 +155,7 @@ fn write_rows(writer: &Writer<'_>, kept: &Kept) -> Method {
         [
             measured,
             constraint.direction.clone(),
-            // states of one's own stay as they are
+            // user-defined states are unchanged
             vec![writer.work.graph.zero(); writer.outline.states.len()],
             constraint.coupling.clone(),
         ]

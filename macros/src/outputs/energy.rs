@@ -1,4 +1,4 @@
-//! `energy`: the kinetic energy, and that of potentials and uniform fields.
+//! `energy`: the kinetic energy, and the potential energy of potentials and uniform fields.
 
 use quote::quote;
 

@@ -1,4 +1,4 @@
-//! Lists of given loads, as the runtime has them.
+//! Lists of given loads, in the runtime's types.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -8,7 +8,7 @@ use crate::families::Family;
 use crate::mechanics::LoadExpressions;
 use crate::symbolic::Id;
 
-/// The components of loads, in the order in which they are listed.
+/// The components of loads, in the order of the list.
 pub fn load_parts(shapes: &Shapes, loads: &[LoadExpressions]) -> Vec<Id> {
     let parts = |load: &LoadExpressions| {
         let (force, point, moment) = (

@@ -1,4 +1,4 @@
-//! What an output is.
+//! The interface of an output.
 
 use crate::emit::code::Site;
 use crate::emit::items::Addition;
@@ -10,15 +10,15 @@ use crate::symbolic::Id;
 
 use super::subject::Subject;
 
-/// A part of what is generated for a body or a system, from what it derives to what its
-/// documentation says. It begins empty; then it is what a description with mistakes gets.
+/// A part of the generated code of a body or a system, from its derivation to its
+/// documentation. It begins empty, which is what an invalid description gets.
 pub trait Output<S: Subject> {
-    /// How it is asked for; none of what a body has by itself.
+    /// Its request; none for outputs that every body has.
     fn offer(&self) -> Option<&'static Offer> {
         None
     }
 
-    /// Where it stands in a body; nowhere if the body does not have it.
+    /// Its place in a body; none if the body does not have it.
     fn place(&self, outline: &Outline) -> Option<Place> {
         outline.rank(self.offer()?.word).map(Place::Asked)
     }
@@ -31,24 +31,24 @@ pub trait Output<S: Subject> {
         Vec::new()
     }
 
-    /// The entries of a tensor of which a body of doubles is to keep the principal axes.
+    /// The entries of a tensor whose principal axes a body of doubles stores.
     fn tensor(&self) -> Option<[Id; 6]> {
         None
     }
 
-    /// What is told of it, and what it leaves out.
+    /// Adds its report, and the terms that it leaves out.
     fn describe(&self, _model: &S, _work: &Workspace, _report: &mut Report) {}
 
-    /// Its trait, implemented.
+    /// Implements its trait.
     fn emit(&self, site: &Site<'_>) -> Addition;
 }
 
-/// What has a list of outputs.
+/// A subject with a list of outputs.
 pub trait Listed: Subject {
-    /// In the order in which they are derived.
+    /// In the order of derivation.
     fn outputs() -> Vec<Box<dyn Output<Self>>>;
 
-    /// In the order in which they are offered.
+    /// In the order of the offers.
     fn offered() -> Vec<Box<dyn Output<Self>>>;
 }
 
@@ -56,12 +56,12 @@ pub trait Listed: Subject {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Place {
     First,
-    /// In which it is asked for.
+    /// In the order of the request.
     Asked(usize),
     Last,
 }
 
-/// What an output is derived from.
+/// The inputs of the derivation of an output.
 pub struct Basis<'a, S: Subject> {
     pub outline: &'a Outline,
     pub model: &'a S,

@@ -1,4 +1,4 @@
-//! `regressor`: what a motion takes of each inertial parameter, a matrix for each body.
+//! `regressor`: the loads of a motion by inertial parameter, a matrix for each body.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -19,7 +19,7 @@ const OFFER: Offer = Offer {
     ..Offer::new("regressor")
 };
 
-/// Of each body, in the order in which they are written.
+/// For each body, in the order of the description.
 #[derive(Default)]
 pub struct Regressor(Option<Vec<mechanics::Regressor>>);
 
@@ -45,7 +45,7 @@ impl<S: Subject> Output<S> for Regressor {
             site,
             (
                 "Regressor",
-                "What the motion takes of the inertial parameters of each body",
+                "The loads of the motion by the inertial parameters of each body",
             ),
             [rows(site.outline), names.len()],
             |body| body.columns.concat(),
@@ -103,7 +103,7 @@ impl Regressor {
     }
 }
 
-/// The balances along which a body, or what joints leave free, moves.
+/// The number of balances along which a body moves, or of those that its joints leave free.
 fn rows(outline: &Outline) -> usize {
     if outline.is_system {
         return outline.freedoms();

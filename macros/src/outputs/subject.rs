@@ -1,4 +1,4 @@
-//! What outputs are of: a body alone, or a system. What both can be asked for is one output.
+//! The subjects of outputs: a single body, or a system. Outputs common to both are written once.
 
 use crate::emit::code::Shapes;
 use crate::emit::items::Equated;
@@ -18,35 +18,35 @@ use crate::model::{
 };
 use crate::symbolic::Id;
 
-/// A body alone, or a system.
+/// A single body, or a system.
 pub trait Subject: Sized + 'static {
     type Equations;
 
-    /// Its equations of motion, where its potentials are loads. `None` if there are none, as the
+    /// Its equations of motion, with potentials turned into loads. `None` if there are none, as the
     /// errors say.
     fn derive(self, work: &mut Workspace, errors: &mut Errors) -> Option<(Self, Self::Equations)>;
 
-    /// What its equations are like, and what does not appear in them.
+    /// The properties of its equations, and the terms that were dropped.
     fn describe(&self, work: &mut Workspace, equations: &Self::Equations) -> Report;
 
-    /// Its accelerations, in the order in which the state has them, and when they change.
+    /// Its accelerations, in the order of the state, and their switches.
     fn equated(&self, outline: &Outline, equations: &Self::Equations) -> Equated;
 
-    /// What its bodies are made of.
+    /// The mass and inertia of its bodies.
     fn substances(&self) -> Vec<Substance>;
 
-    /// What its links and cables are made with.
+    /// The properties of its links and cables.
     fn properties(&self) -> &[Property];
 
     fn defaults(&self) -> &Defaults;
 
-    /// What it claims of its motion.
+    /// Its claims about the motion.
     fn checks(&self) -> &Checks;
 
-    /// Symbols of accelerations and loads that are solved for, and what is found for them.
+    /// Symbols of accelerations and loads that are solved for, and their solutions.
     fn solved(&self, work: &Workspace, equations: &Self::Equations) -> Vec<(Id, Id)>;
 
-    /// What checks may ask of the motion: symbols, and what these stand for.
+    /// The quantities of the motion available to checks: symbols, and their expressions.
     fn answers(&self, work: &mut Workspace, equations: &Self::Equations) -> Vec<(Id, Id)> {
         let Some(asked) = self.checks().answers else {
             return Vec::new();
@@ -63,19 +63,19 @@ pub trait Subject: Sized + 'static {
         all.chain(linear).chain(angular).chain(held).collect()
     }
 
-    /// The symbols of what joints carry, and what they do.
+    /// The symbols of the loads that joints carry, and their expressions.
     fn held(&self, _: &mut Workspace, _: &Self::Equations) -> Vec<(Id, Id)> {
         Vec::new()
     }
 
     fn energy(&self, work: &mut Workspace) -> Energy;
 
-    /// The fields that the energy does not have.
+    /// The fields that do not contribute to the energy.
     fn fields_without_potential(&self, work: &Workspace) -> Vec<&Load>;
 
     fn momentum(&self, work: &mut Workspace) -> Momentum;
 
-    /// The balances of each body, in the order in which the outline has them.
+    /// The balances of each body, in the order of the outline.
     fn balances(
         &self,
         work: &mut Workspace,

@@ -1,5 +1,5 @@
-//! `taylor`: series of the motion, by the recurrences that its coefficients follow. In doubles, of
-//! a generic body too.
+//! `taylor`: series of the motion, by the recurrences of its coefficients. In doubles, even for
+//! a generic body.
 
 use proc_macro2::Literal;
 use quote::quote;
@@ -19,9 +19,9 @@ const OFFER: Offer = Offer {
     ..Offer::new("taylor")
 };
 
-/// Of a system with more products of series than this, Runge–Kutta steps are faster: at 1e-9 a
-/// double pendulum (15 products) takes 0.8 of the time with series, a satellite with three wheels
-/// (56) 0.75, an arm of six axes (256) 1.5.
+/// For a system with more products of series than this, Runge–Kutta steps are faster. At 1e-9,
+/// series take 0.8 of the time for a double pendulum (15 products), 0.75 for a satellite with three
+/// wheels (56), 1.5 for an arm of six axes (256).
 const WIDEST: usize = 128;
 
 #[derive(Default)]
@@ -82,8 +82,8 @@ impl<S: Subject> Output<S> for Taylor {
                 #body
             }
         };
-        let remark = " Its series have many products: `integrate` takes Runge–Kutta steps, which are faster, \
-                      and `.method(TaylorSeries { tolerance })` takes series.";
+        let remark = " Its series have many products: `integrate` takes Runge–Kutta steps, which are faster; \
+                      `.method(TaylorSeries { tolerance })` selects series.";
         Addition {
             best: if is_wide {
                 Best::RungeKutta

@@ -1,7 +1,7 @@
 //! Expressions: a hash-consed graph with simplifying constructors over exact numbers.
 //!
-//! This room knows no mechanics and no words: symbols are numbers, and what they stand for is the
-//! business of the model. It adds to `std` and dashu: exact folding, three stages of evaluation,
+//! This room knows no mechanics and no words: symbols are numbers, and their meanings belong to
+//! the model. It adds to `std` and dashu: exact folding, three stages of evaluation,
 //! vectors, derivatives, linear equations, eigenvalues, a schedule, a cost and an interpreter, and
 //! the proof that an expression is zero.
 

@@ -1,4 +1,4 @@
-//! Expressions: the part of Rust's that a description may use.
+//! Expressions: the subset of Rust's that a description may use.
 
 use proc_macro2::Ident;
 
@@ -23,8 +23,8 @@ pub enum Kind {
     Text(String),
     /// `_`
     Placeholder,
-    /// What could not be read, which is reported: it has no value, and what is around it is still
-    /// looked at.
+    /// Unreadable, and reported: it has no value, but its surroundings are still
+    /// checked.
     Poisoned,
     /// `(x, y, z)`
     Tuple(Vec<Expression>),
@@ -51,7 +51,7 @@ pub enum Kind {
 #[derive(Clone, Debug)]
 pub struct Step {
     pub operator: Operator,
-    /// Where the operator stands.
+    /// The place of the operator.
     pub place: Extent,
     pub operand: Expression,
 }
@@ -83,7 +83,7 @@ pub enum Operator {
 /// A function or a method, with its arguments.
 pub type Called<'e> = (&'e Ident, &'e [Expression]);
 
-/// `kind(arguments)`, and the methods behind it.
+/// `kind(arguments)`, and the methods after it.
 pub fn call(value: &Expression) -> Option<(Called<'_>, Vec<Called<'_>>)> {
     let mut methods = Vec::new();
     let mut inner = value;
@@ -100,7 +100,7 @@ pub fn call(value: &Expression) -> Option<(Called<'_>, Vec<Called<'_>>)> {
 }
 
 impl Expression {
-    /// How many names and numbers it consists of.
+    /// The number of names and numbers in it.
     pub fn size(&self) -> usize {
         let mut size = 0;
         self.visit(|part| {
@@ -109,7 +109,7 @@ impl Expression {
         size
     }
 
-    /// The names in it, in the order in which they stand there.
+    /// The names in it, in order.
     pub fn names(&self) -> Vec<&Ident> {
         let mut names = Vec::new();
         self.visit(|part| {
@@ -120,7 +120,7 @@ impl Expression {
         names
     }
 
-    /// Shows every part, from left to right.
+    /// Visits every part, from left to right.
     pub fn visit<'e>(&'e self, mut show: impl FnMut(&'e Self)) {
         let mut pending = vec![self];
         while let Some(part) = pending.pop() {

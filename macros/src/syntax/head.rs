@@ -8,13 +8,13 @@ use super::Description;
 use super::tokens::{is_punct, skip_attributes, start, stream};
 use super::words::check_name;
 
-/// Types, which are no names of parameters.
+/// Types, which cannot be names of parameters.
 const TYPES: [&str; 19] = [
     "f16", "f32", "f64", "f128", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32",
     "u64", "u128", "usize", "bool", "char", "str",
 ];
 
-/// The runtime's path, the name of the body, and what stands in the braces.
+/// The runtime's path, the name of the body, and the content of the braces.
 pub fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Description, TokenStream)> {
     let all: Vec<TokenTree> = tokens.into_iter().collect();
     let [TokenTree::Group(runtime), rest @ ..] = all.as_slice() else {
@@ -59,7 +59,7 @@ pub fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Descripti
     Some((description, body.stream()))
 }
 
-/// Skips what Rust would have before the name, and is not written here.
+/// Skips tokens that Rust would have before the name, but that are not allowed here.
 fn from_name<'t>(tokens: &'t [TokenTree], errors: &mut Errors) -> Option<&'t [TokenTree]> {
     match tokens {
         [hash, ..] if is_punct(hash, '#') => {
@@ -87,8 +87,8 @@ fn from_name<'t>(tokens: &'t [TokenTree], errors: &mut Errors) -> Option<&'t [To
     }
 }
 
-/// `::<T>` between the name and its brace: the scalar that the body is generic over, by some name
-/// if it is meant to be.
+/// `::<T>` between the name and its brace: the scalar over which the body is generic, with some
+/// name if one was intended.
 fn parse_scalar(name: &Ident, between: &[TokenTree], errors: &mut Errors) -> Option<Ident> {
     let first = between.first()?;
     if !is_punct(first, '<') && !is_punct(first, ':') {

@@ -1,8 +1,8 @@
-//! What was written: the keys, entries and expressions of a description, with their places.
+//! The syntax of a description: its keys, entries and expressions, with their places.
 //!
-//! Each bracket is split at its commas and every entry is parsed alone, so that a bad entry hides
-//! nothing: it is reported, and what it would have named stays known, without a value. Nothing is
-//! looked up here and nothing has a meaning yet.
+//! Each bracket is split at its commas and every entry is parsed alone, so a bad entry hides
+//! nothing: it is reported, and the name that it would have defined stays known, without a value.
+//! Nothing is looked up here and nothing has a meaning yet.
 
 mod entries;
 mod expression;
@@ -35,18 +35,18 @@ pub use words::BUILT_IN;
 #[derive(Clone)]
 pub struct Description {
     pub name: Ident,
-    /// It has no mass: a link of a file that says where something is.
+    /// It has no mass: a link of a file that marks a place.
     pub is_frame: bool,
-    /// Names of points that come from a file, of which any may go unused.
+    /// Names of points from a file, which may be unused.
     pub given: Vec<String>,
-    /// The scalar that the body is generic over.
+    /// The scalar over which the body is generic.
     pub scalar: Option<Ident>,
-    /// The path of the runtime, as the wrapper of the macro passes it.
+    /// The path of the runtime, as passed by the wrapper of the macro.
     pub runtime: TokenStream,
-    /// The keys as they were written, known or not, each once.
+    /// The keys as written, known or not, each once.
     pub keys: Vec<Ident>,
-    /// Names of entries that could not be read, which is reported: what refers to them stays
-    /// silent.
+    /// Names of entries that could not be read, which is reported: references to them cause no
+    /// further errors.
     pub lost: Vec<String>,
     pub doc: Vec<String>,
     pub motion: Option<Motion>,
@@ -54,12 +54,12 @@ pub struct Description {
     pub inertia: Option<Written>,
     /// `inertia: compose([..])`, which is mass, G and inertia together.
     pub composition: Option<Composition>,
-    /// Constants and functions that stand in the Rust of the user.
+    /// Rust constants and functions of the user.
     pub constants: Vec<Constant>,
     pub functions: Vec<Function>,
     pub params: Vec<Declaration>,
     pub inputs: Vec<Declaration>,
-    /// States of its own, and the rate of each.
+    /// User-defined states, and the rate of each.
     pub states: Vec<Declaration>,
     pub rates: Vec<Definition>,
     pub points: Vec<Definition>,
@@ -73,7 +73,7 @@ pub struct Description {
 }
 
 impl Description {
-    /// A description that says nothing yet.
+    /// An empty description.
     fn new(name: Ident, runtime: TokenStream) -> Self {
         Self {
             name,
@@ -107,7 +107,7 @@ impl Description {
 }
 
 impl Description {
-    /// The names of what stands in the Rust of the user, and what it is.
+    /// The names of Rust items of the user, and their kinds.
     pub fn foreign(&self) -> impl Iterator<Item = (&Ident, &'static str)> {
         let constants = self.constants.iter().map(|one| (&one.name, "constant"));
         let functions = self.functions.iter().map(|one| (&one.name, "function"));
@@ -115,10 +115,10 @@ impl Description {
     }
 }
 
-/// The value of a key, or of an entry: `None` was reported and stays silent from here on.
+/// The value of a key, or of an entry: `None` was reported and causes no further errors.
 pub type Value = Option<Expression>;
 
-/// `key: value` of a key that was given.
+/// `key: value` of a given key.
 #[derive(Clone)]
 pub struct Written {
     pub value: Value,
@@ -128,7 +128,7 @@ pub struct Written {
 #[derive(Clone)]
 pub struct Motion {
     pub word: Ident,
-    /// What stands in the parentheses behind the word, and in those of `.at(..)` behind them.
+    /// The arguments of the word, and of `.at(..)` after it.
     pub support: Option<Support>,
 }
 
@@ -140,21 +140,21 @@ pub struct Support {
     pub extent: Extent,
 }
 
-/// `name`, `name[unit]` or `name = value`: a parameter, an input or a state of its own.
+/// `name`, `name[unit]` or `name = value`: a parameter, an input or a user-defined state.
 #[derive(Clone)]
 pub struct Declaration {
     pub name: Ident,
     pub unit: Option<UnitExpression>,
-    /// What stands behind the `=`, if there is one.
+    /// The value after the `=`, if there is one.
     pub value: Option<Value>,
-    /// Behind the name of an input that is given with its rate and acceleration: `.moving`.
+    /// `.moving`, after the name of an input that is given with its rate and acceleration.
     pub moving: Option<Ident>,
-    /// Of a rate 1 and of an acceleration 2: they are declared with the input that moves.
+    /// 1 for a rate and 2 for an acceleration: they are declared with the `.moving` input.
     pub order: usize,
 }
 
 impl Declaration {
-    /// The rate, and the acceleration, of an input that moves.
+    /// The rate and the acceleration of a `.moving` input.
     fn derivative(&self, order: usize) -> Self {
         let word = self.name.to_string();
         let suffix = if order == 1 { "rate" } else { "acceleration" };
@@ -183,13 +183,13 @@ pub struct Load {
     pub family: Family,
     pub kind: LoadKind,
     pub vector: Value,
-    /// What `.at(..)` says, if it is there.
+    /// The argument of `.at(..)`, if given.
     pub point: Option<Value>,
-    /// What `.on([..])` says, if it is there: the vector is a field, and no force.
+    /// The argument of `.on([..])`, if given: the vector is then a field, not a force.
     pub charges: Option<Vec<Charge>>,
 }
 
-/// `name = left < right`, joined by `&&`, and behind it `.given(..)`.
+/// `name = left < right`, joined by `&&`, followed by `.given(..)`.
 #[derive(Clone)]
 pub struct Check {
     pub name: Ident,

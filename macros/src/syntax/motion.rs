@@ -1,4 +1,4 @@
-//! The value of `motion:`: a word, and for a support or a rod what stands in parentheses behind it.
+//! The value of `motion:`: a word, and for a support or a rod its arguments in parentheses.
 
 use proc_macro2::{Delimiter, Ident, TokenTree};
 
@@ -15,7 +15,7 @@ pub const ROD: &str = "rod";
 
 pub fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Motion> {
     match value {
-        // what another macro passes on
+        // tokens passed on by another macro
         [TokenTree::Group(group)] if group.delimiter() == Delimiter::None => {
             let inner: Vec<TokenTree> = group.stream().into_iter().collect();
             parse_motion(&inner, errors)
@@ -49,12 +49,12 @@ pub fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Motion> 
     }
 }
 
-/// Whether a word is a kind of support, or was meant to be.
+/// Whether a word is a kind of support, or was meant to be one.
 fn is_support(word: &str) -> bool {
     SUPPORTS.contains(&word) || similar(word, SUPPORTS).is_some()
 }
 
-/// `word(arguments)` and `word(arguments).at(anchor)`; what cannot be read is reported.
+/// `word(arguments)` and `word(arguments).at(anchor)`; errors are reported.
 fn read_support(word: &Ident, written: Option<Expression>, errors: &mut Errors) -> Support {
     let mut support = Support {
         arguments: vec![None],

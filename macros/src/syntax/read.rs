@@ -12,11 +12,11 @@ use super::screen::{DEPTH, Screened, screen, too_deep};
 use super::unit::UnitExpression;
 
 impl Expression {
-    /// Reads an expression that stands between two commas; what is wrong with it is reported.
+    /// Reads an expression between two commas; errors are reported.
     pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Self> {
         let last = tokens.clone().into_iter().last()?.span();
         let Screened { tokens, units } = screen(tokens, errors)?;
-        // inside a group, syn places what is missing at the end on the last token
+        // inside a group, syn reports tokens missing at the end on the last token
         let mut group = Group::new(Delimiter::Parenthesis, tokens);
         group.set_span(last);
         let parsed = complete.parse2(TokenTree::Group(group).into());
@@ -36,7 +36,7 @@ fn complete(input: ParseStream<'_>) -> syn::Result<Expr> {
     Ok(expr)
 }
 
-/// What syn says, in the words of this language.
+/// An error of syn, in the words of this language.
 fn reworded(error: &syn::Error) -> String {
     let message = error.to_string();
     match message.strip_prefix("unexpected end of input, ") {
@@ -207,7 +207,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Unwinds the left spine in a loop: a long sum is as flat here as it looks.
+    /// Unwinds the left spine in a loop: a long sum becomes flat.
     fn chain(&mut self, expr: &Expr, depth: usize) -> Kind {
         let mut rest = Vec::new();
         let mut first = expr;
@@ -222,7 +222,7 @@ impl Reader<'_> {
             .into_iter()
             .rev()
             .map(|(operator, place, operand)| Step {
-                // beside an operator that is none, nothing has a value
+                // next to an invalid operator, nothing has a value
                 operand: match operator {
                     Some(_) => operand,
                     None => Expression {

@@ -1,8 +1,8 @@
-//! What of an expression is shown to syn: the tokens of the language, within stated limits.
+//! The tokens of an expression that are passed to syn: those of the language, within stated limits.
 //!
-//! Whatever else Rust's expressions may contain is refused here, at its token, before anything
-//! recurses into it. Units are taken out on the way: to syn, `2[kg * m ^ 2]` is `2[0]`, the unit
-//! of number 0.
+//! All other tokens of Rust's expressions are refused here, at their places, before anything
+//! recurses into them. Units are taken out on the way: syn sees `2[kg * m ^ 2]` as `2[0]`, the unit
+//! with index 0.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Spacing, Span, TokenStream, TokenTree};
 
@@ -12,23 +12,23 @@ use super::tokens::{group_beyond, is_punct, start, token_beyond};
 use super::unit::UnitExpression;
 use super::words::is_keyword;
 
-/// Tokens that one expression may have: a stated limit instead of an exhausted stack.
+/// The limit of tokens of one expression: a stated limit instead of an exhausted stack.
 const TOKENS: usize = 2000;
-/// Digits that a number may have, and its point and exponent with them: every double has fewer.
+/// The limit of digits of a number, including its point and exponent: every double has fewer.
 const DIGITS: usize = 1200;
-/// Brackets that may be nested in each other.
+/// The limit of nested brackets.
 const NESTING: usize = 48;
-/// Brackets, prefixes, methods and branches that may be nested in each other.
+/// The limit of nested brackets, prefixes, methods and branches.
 pub const DEPTH: usize = 128;
 
-/// An expression that syn can be trusted with.
+/// An expression that is safe for syn.
 pub struct Screened {
     pub tokens: TokenStream,
-    /// The units, by number; what was wrong with `None` is reported.
+    /// The units, by index; `None` for reported ones.
     pub units: Vec<Option<UnitExpression>>,
 }
 
-/// Refuses what is not part of the language; `None` if anything was.
+/// Refuses tokens that are not part of the language; returns `None` if there were any.
 pub fn screen(tokens: TokenStream, errors: &mut Errors) -> Option<Screened> {
     if let Some((place, message)) = crossed_limit(&tokens) {
         return errors.report(place, message);
@@ -63,13 +63,13 @@ pub fn too_deep() -> String {
 
 struct Screen<'a> {
     units: Vec<Option<UnitExpression>>,
-    /// Whether syn could not read what is left.
+    /// Whether syn could not read the rest.
     refused: bool,
     errors: &'a mut Errors,
 }
 
 impl Screen<'_> {
-    /// The tokens between two brackets; `function` is the word in front of them.
+    /// The tokens between two brackets; `function` is the word before them.
     fn stream(
         &mut self,
         tokens: TokenStream,
@@ -112,7 +112,7 @@ impl Screen<'_> {
             };
             index += match read {
                 Some(read) => read,
-                // one mistake is one error: go on behind the next comma
+                // one mistake gives one error: continue after the next comma
                 None => tokens[index..]
                     .iter()
                     .take_while(|token| !is_punct(token, ','))
@@ -156,7 +156,7 @@ impl Screen<'_> {
                 let inner = self.stream(group.stream(), depth + 1, None);
                 Group::new(Delimiter::Bracket, inner)
             }
-            // a table of two scalars has lists of lists
+            // a table of two scalars has nested lists
             Delimiter::Bracket if function.is_some_and(|word| word == "table") => {
                 let inner = self.stream(group.stream(), depth + 1, function);
                 Group::new(Delimiter::Bracket, inner)
@@ -194,7 +194,7 @@ impl Screen<'_> {
         TokenTree::Group(shown)
     }
 
-    /// A word as syn may read it: the inner `None` is left out. A keyword in the place of a name
+    /// A word as syn may read it: the inner `None` is omitted. A keyword in place of a name
     /// becomes a raw name, because the entry that should have defined it was refused for it.
     #[allow(clippy::option_option, reason = "outer: refused; inner: left out")]
     fn word(
@@ -252,8 +252,8 @@ impl Screen<'_> {
         self.refuse(word.span(), &message)
     }
 
-    /// How many tokens the sign at the beginning of `tokens` has; one that means nothing here is
-    /// refused.
+    /// The number of tokens of the sign at the beginning of `tokens`; a sign without meaning here
+    /// is refused.
     fn sign(&mut self, tokens: &[TokenTree]) -> Option<usize> {
         let TokenTree::Punct(first) = &tokens[0] else {
             return Some(1);
@@ -296,16 +296,16 @@ impl Screen<'_> {
     }
 }
 
-/// What nests without brackets.
+/// Nesting without brackets.
 #[derive(Default)]
 struct Nested {
-    /// Signs in a row.
+    /// Consecutive signs.
     signs: usize,
-    /// Methods, fields and units in a row.
+    /// Consecutive methods, fields and units.
     methods: usize,
-    /// `if`s whose condition goes on.
+    /// `if`s with unfinished conditions.
     conditions: usize,
-    /// `else`s in a row.
+    /// Consecutive `else`s.
     branches: usize,
 }
 
@@ -349,7 +349,7 @@ impl Nested {
     }
 }
 
-/// Whether brackets behind this token hold a unit.
+/// Whether brackets after this token contain a unit.
 fn ends_operand(token: &TokenTree) -> bool {
     match token {
         TokenTree::Ident(word) => !matches!(word.to_string().as_str(), "if" | "else"),

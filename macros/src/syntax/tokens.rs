@@ -1,5 +1,5 @@
 //! Tokens between commas: lists are split before anything in them is read, so that a bad entry
-//! hides nothing, and nothing here recurses into what a user can nest.
+//! hides nothing, and nothing here recurses into nested user input.
 
 use proc_macro2::{Delimiter, Group, Ident, Punct, Span, TokenStream, TokenTree};
 use syn::{Lit, LitStr};
@@ -8,7 +8,7 @@ use crate::errors::Errors;
 
 use super::words::is_keyword;
 
-/// What an entry looks like where it begins, for the detection of a missing comma.
+/// The appearance of the beginning of an entry, for the detection of a missing comma.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Entry {
     /// `key: value`
@@ -19,7 +19,7 @@ pub enum Entry {
     Defined,
 }
 
-/// Splits at the commas of the outermost level, and where one is missing.
+/// Splits at the commas of the outermost level, and where a comma is missing.
 pub fn split(tokens: TokenStream, entry: Entry, errors: &mut Errors) -> Vec<Vec<TokenTree>> {
     let mut entries = Vec::new();
     let mut current: Vec<TokenTree> = Vec::new();
@@ -53,7 +53,7 @@ pub fn split(tokens: TokenStream, entry: Entry, errors: &mut Errors) -> Vec<Vec<
     entries
 }
 
-/// Whether `name` begins an entry, although the token before it is no comma.
+/// Whether `name` begins an entry, although the previous token is no comma.
 fn begins(entry: Entry, name: &Ident, before: &[TokenTree], after: Option<&TokenTree>) -> bool {
     let follows_value = match before {
         [.., hash, TokenTree::Group(_)] if is_punct(hash, '#') => false,
@@ -76,7 +76,7 @@ pub fn is_punct(token: &TokenTree, sign: char) -> bool {
     matches!(token, TokenTree::Punct(punct) if punct.as_char() == sign)
 }
 
-/// `sign value`, where `sign` is not the first half of another one; the sign and the value.
+/// `sign value`, if `sign` is not the first half of another one; the sign and the value.
 pub fn after_sign(tokens: &[TokenTree], sign: char) -> Option<(&Punct, &[TokenTree])> {
     let [TokenTree::Punct(first), value @ ..] = tokens else {
         return None;
@@ -87,7 +87,7 @@ pub fn after_sign(tokens: &[TokenTree], sign: char) -> Option<(&Punct, &[TokenTr
     (first.as_char() == sign && !doubled).then_some((first, value))
 }
 
-/// The one group in brackets that `tokens` are.
+/// The single group in brackets that `tokens` consist of.
 pub fn bracketed(tokens: &[TokenTree]) -> Option<&Group> {
     match tokens {
         [TokenTree::Group(group)] if group.delimiter() == Delimiter::Bracket => Some(group),
@@ -95,7 +95,7 @@ pub fn bracketed(tokens: &[TokenTree]) -> Option<&Group> {
     }
 }
 
-/// What follows documentation and other attributes, which are reported.
+/// The tokens after documentation and other attributes, which are reported.
 pub fn without_attributes<'t>(tokens: &'t [TokenTree], errors: &mut Errors) -> &'t [TokenTree] {
     let rest = skip_attributes(tokens);
     if let (true, Some(hash)) = (rest.len() < tokens.len(), tokens.first()) {
@@ -107,7 +107,7 @@ pub fn without_attributes<'t>(tokens: &'t [TokenTree], errors: &mut Errors) -> &
     rest
 }
 
-/// What follows `#[..] #[..]`.
+/// The tokens after `#[..] #[..]`.
 pub fn skip_attributes(tokens: &[TokenTree]) -> &[TokenTree] {
     let mut rest = tokens;
     while let [hash, TokenTree::Group(_), tail @ ..] = rest
@@ -118,7 +118,7 @@ pub fn skip_attributes(tokens: &[TokenTree]) -> &[TokenTree] {
     rest
 }
 
-/// Where a token begins: of a group, the bracket alone.
+/// The beginning of a token: for a group, the bracket alone.
 pub fn start(token: &TokenTree) -> Span {
     match token {
         TokenTree::Group(group) => group.span_open(),
@@ -131,7 +131,7 @@ pub fn stream(tokens: &[TokenTree]) -> TokenStream {
     tokens.iter().cloned().collect()
 }
 
-/// The first token after so many others, those in brackets counted, found without recursion.
+/// The token after this many others, including those in brackets, found without recursion.
 pub fn token_beyond(tokens: &TokenStream, count: usize) -> Option<TokenTree> {
     let mut seen = 0;
     let mut open = vec![tokens.clone().into_iter()];

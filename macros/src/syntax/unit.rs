@@ -1,6 +1,6 @@
-//! Units as they are written in brackets: `[kg * m ^ 2]`, `[deg / s]`, `[1 / s]`.
+//! Units in brackets: `[kg * m ^ 2]`, `[deg / s]`, `[1 / s]`.
 //!
-//! They are read from their tokens: Rust itself would take `kg * m ^ 2` for `(kg * m) ^ 2`.
+//! They are read from their tokens: Rust itself would parse `kg * m ^ 2` as `(kg * m) ^ 2`.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
@@ -19,13 +19,13 @@ pub struct UnitExpression {
 
 /// The largest exponent of a unit.
 const EXPONENT: i64 = 12;
-/// Parentheses that may be nested in each other.
+/// The limit of nested parentheses.
 const NESTING: usize = 8;
-/// Units that may be multiplied with each other.
+/// The limit of factors.
 const FACTORS: usize = 24;
 
 impl UnitExpression {
-    /// Reads a unit in its brackets; what is wrong with it is reported.
+    /// Reads a unit in its brackets; errors are reported.
     pub fn parse(brackets: &Group, errors: &mut Errors) -> Option<Self> {
         let tokens = brackets.stream();
         if tokens.is_empty() {
@@ -48,7 +48,7 @@ impl UnitExpression {
 
 type Factors = Vec<(Ident, Fraction)>;
 
-/// `unit * unit / unit`, all that stands in `around`.
+/// `unit * unit / unit`, the whole content of `around`.
 fn product(tokens: TokenStream, around: &Group, errors: &mut Errors) -> Option<Factors> {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     let mut rest = tokens.as_slice();
@@ -141,7 +141,7 @@ fn is_small(exponent: Fraction) -> bool {
     numerator.abs() <= EXPONENT && denominator <= EXPONENT
 }
 
-/// `2`, `-2`, `(-2)`, `(3/2)`; moves `rest` behind it.
+/// `2`, `-2`, `(-2)`, `(3/2)`; advances `rest` past it.
 fn exponent<'t>(
     tokens: &'t [TokenTree],
     hat: Extent,

@@ -1,4 +1,4 @@
-//! Words that Rust keeps for itself, and how they are refused as names.
+//! Rust's reserved words, and their refusal as names.
 
 use proc_macro2::Ident;
 
@@ -13,7 +13,7 @@ const KEYWORDS: [&str; 52] = [
     "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
-/// Names that mean something in every description.
+/// Names with a meaning in every description.
 pub const BUILT_IN: [&str; 11] = [
     "t",
     "mass",
@@ -32,7 +32,7 @@ pub fn is_keyword(word: &str) -> bool {
     KEYWORDS.contains(&word)
 }
 
-/// Whether generated code can use `name` as it is; what it cannot use is reported.
+/// Whether generated code can use `name` as it is; otherwise it is reported.
 pub fn check_name(name: &Ident, what: &str, errors: &mut Errors) -> Option<()> {
     let word = name.to_string();
     let message = if let Some(plain) = word.strip_prefix("r#") {

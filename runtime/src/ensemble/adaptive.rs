@@ -1,5 +1,5 @@
-//! Steps as long as the tolerance permits, several members in a register, each with steps of its
-//! own; where one is done, the next takes its place.
+//! Variable steps, as long as the tolerance permits. A register holds several members, each with
+//! its own steps; when one is done, the next takes its place.
 
 #![allow(
     clippy::float_cmp,
@@ -23,14 +23,15 @@ use crate::numbers::lanes::{Lanes, Register, Work, by_itself};
 use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
-/// Moves the members of some blocks, each as it would alone, to the bit. Those that do not come to
-/// the end, or take very many steps, are left where they were, for a motion of their own.
+/// Integrates the members of some blocks, each as it would alone, to the bit. Members that do not
+/// reach the end, or take very many steps, keep their states and are marked for separate
+/// integration.
 pub(super) struct Stream<'e, A, B: Generic> {
     pub(super) plan: &'e Plan<'e, A, B>,
     pub(super) states: &'e mut [Eight],
-    /// How many members the blocks have.
+    /// The number of members in the blocks.
     pub(super) count: usize,
-    /// Of these, which are left.
+    /// Which of them are left.
     pub(super) left: &'e [AtomicBool],
 }
 
@@ -105,26 +106,26 @@ impl<A: Adaptive, B: Generic> Work for Stream<'_, A, B> {
     }
 }
 
-/// A member on its way.
+/// A member in progress.
 #[derive(Clone, Copy)]
 struct Lane {
-    /// Which one of the blocks; none, if nobody is here.
+    /// Its index in the blocks; none for an empty lane.
     member: Option<usize>,
     state: Progress,
     stretch: Stretch,
     time: f64,
-    /// What was lost in rounding it.
+    /// The rounding error of the time.
     late: f64,
-    /// Where the next step has to end.
+    /// The time at which the next step must end.
     limit: f64,
-    /// The next step, zero where there is none, and whether it leads to the limit.
+    /// The next step, zero if there is none, and whether it reaches the limit.
     step: f64,
     is_last: bool,
     lengths: Lengths,
     watch: Watch,
 }
 
-/// How far a member has come.
+/// The progress of a member.
 #[derive(Clone, Copy, PartialEq)]
 enum Progress {
     Going,
@@ -146,7 +147,7 @@ impl Lane {
         watch: Watch::OF_A_PAIR,
     };
 
-    /// It at its start.
+    /// The progress at the start.
     fn at(member: Option<usize>, times: &Range<f64>) -> Self {
         let (time, limit) = (times.start, times.start);
         let mut watch = Watch::OF_A_PAIR;
@@ -172,7 +173,7 @@ impl Lane {
         (self.limit - self.time) + self.late
     }
 
-    /// Chooses the next step; a member that there is none for is left.
+    /// Chooses the next step; marks a member without a valid step as left.
     fn choose(&mut self) {
         (self.step, self.is_last) = (0.0, false);
         if !self.is_going() {
@@ -187,7 +188,7 @@ impl Lane {
         }
     }
 
-    /// Takes note of a step that was accepted.
+    /// Records an accepted step.
     fn follow(&mut self) {
         self.watch.saw(self.step, self.is_last);
         (self.time, self.late) = if self.is_last {
@@ -198,7 +199,7 @@ impl Lane {
     }
 }
 
-/// What the members in the lanes of a register are made of.
+/// The bodies of the members in the lanes of a register.
 struct Seats<B: Generic> {
     bodies: Vec<Eight>,
     inputs: Vec<Eight>,
@@ -207,7 +208,7 @@ struct Seats<B: Generic> {
 }
 
 impl<B: Generic> Seats<B> {
-    /// The first members in all of them, so that there is a body everywhere.
+    /// The first member in all lanes, so that every lane has a body.
     fn new<A>(plan: &Plan<'_, A, B>, states: &[Eight]) -> Self {
         let bodies = if plan.members.is_uniform {
             0
@@ -254,7 +255,7 @@ type InputOf<B, S> = <Laned<B, S> as RigidBody>::Input;
 type StateOf<B, S> = <Laned<B, S> as RigidBody>::State;
 type ArrayOf<B, S> = <StateOf<B, S> as Coordinates>::Array;
 
-/// The members of a register on their way.
+/// The members of a register in progress.
 struct InRegister<'e, A, B: Generic, S: Register> {
     simd: S,
     plan: &'e Plan<'e, A, B>,
@@ -279,7 +280,7 @@ impl<A: Adaptive, B: Generic, S: Register> InRegister<'_, A, B, S> {
         Lanes::new(self.simd, registers[0])
     }
 
-    /// The members, each within the stretch of time that it is in.
+    /// The members, each within its current stretch of time.
     #[inline(always)]
     fn within(&self) -> Within<'_, Laned<B, S>> {
         Within {
@@ -290,7 +291,7 @@ impl<A: Adaptive, B: Generic, S: Register> InRegister<'_, A, B, S> {
         }
     }
 
-    /// Begins with those that are new.
+    /// Begins with new members.
     #[inline(always)]
     fn begin(&mut self, seats: &Seats<B>, fresh: &Eight) {
         let simd = self.simd;
@@ -327,13 +328,13 @@ impl<A: Adaptive, B: Generic, S: Register> InRegister<'_, A, B, S> {
         }
     }
 
-    /// Chooses the next step of each.
+    /// Chooses the next step of each member.
     #[inline(always)]
     fn choose(&mut self) {
         self.lanes.iter_mut().for_each(Lane::choose);
     }
 
-    /// Tries these steps, and takes those that are accepted.
+    /// Attempts these steps, and takes those that are accepted.
     #[inline(always)]
     fn step(&mut self) {
         let time = self.register(|lane| lane.time);
@@ -392,7 +393,7 @@ impl<A: Adaptive, B: Generic, S: Register> InRegister<'_, A, B, S> {
         }
     }
 
-    /// Where the next steps of a member end, as a course tells a run.
+    /// Sets the end of the next steps of a member, as a course does for a run.
     fn go_on(&mut self, index: usize) {
         let Range { start, end } = self.plan.times;
         let forwards = end >= start;
@@ -436,7 +437,7 @@ impl<A: Adaptive, B: Generic, S: Register> InRegister<'_, A, B, S> {
     }
 }
 
-/// Equations in a register, in a function of their own: a step has them many times.
+/// Equations in a register, in a separate function: a step evaluates them many times.
 struct Called<'e, S, L: RigidBody> {
     simd: S,
     equations: Equations<'e, L>,

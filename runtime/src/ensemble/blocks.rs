@@ -7,7 +7,7 @@ use core::ops::Range;
 use crate::bodies::columns::{Columns, Sink, Source};
 use crate::numbers::lanes::{Lanes, Register};
 
-/// Members of one block: a cache line for each number, which is one register, or two, or eight.
+/// The number of members of a block: a cache line per number, in one, two or eight registers.
 pub(super) const BLOCK: usize = 8;
 
 /// One number of each member of a block.
@@ -15,7 +15,7 @@ pub(super) type Eight = [f64; BLOCK];
 
 /// A list of values, kept as columns of their scalars.
 ///
-/// The columns are cut into blocks of eight values and the blocks stand one after another, so that
+/// The columns are cut into blocks of eight values, stored one after another, so
 /// a block is read from one place in memory however many columns there are.
 ///
 /// ```
@@ -28,9 +28,9 @@ pub(super) type Eight = [f64; BLOCK];
 /// ```
 #[derive(Clone, Debug)]
 pub struct Blocks<C> {
-    /// As many rows as there are columns, of the first block, then of the second, and so on. The
-    /// last block is filled with values of the list as they once were: they are computed with, and
-    /// nobody sees them.
+    /// As many rows as there are columns, for the first block, then for the second, and so on. The
+    /// last block is padded with earlier values of the list: they are computed, but never
+    /// read.
     rows: Vec<Eight>,
     len: usize,
     kind: PhantomData<C>,
@@ -68,7 +68,7 @@ impl<C: Columns<f64>> Blocks<C> {
     /// The value at an index.
     ///
     /// # Panics
-    /// If there are not so many.
+    /// If the index is out of range.
     #[must_use]
     pub fn get(&self, index: usize) -> C {
         self.check(index);
@@ -78,10 +78,10 @@ impl<C: Columns<f64>> Blocks<C> {
         })
     }
 
-    /// Puts another value in the place of one.
+    /// Replaces a value.
     ///
     /// # Panics
-    /// If there are not so many.
+    /// If the index is out of range.
     pub fn set(&mut self, index: usize, value: &C) {
         self.check(index);
         write(&mut self.rows, index / BLOCK, index % BLOCK, value);
@@ -93,7 +93,7 @@ impl<C: Columns<f64>> Blocks<C> {
         (0..self.len).map(|index| self.get(index))
     }
 
-    /// Values for as many members as there are here.
+    /// Zeros for as many members.
     pub(super) fn zeros_like<D: Columns<f64>>(&self) -> Blocks<D> {
         Blocks {
             rows: alloc::vec![[0.0; BLOCK]; D::COUNT * self.len.div_ceil(BLOCK)],
@@ -196,7 +196,8 @@ impl Sink<f64> for ColumnMut<'_> {
     }
 }
 
-/// As many members of a block as a register holds, the first ones, or the next ones, by an index.
+/// As many members of a block as a register holds, the first ones or the following ones, by an
+/// index.
 pub(super) struct Group<'a, S> {
     pub(super) simd: S,
     pub(super) rows: &'a [Eight],

@@ -1,4 +1,4 @@
-//! All members on their way to an end, under inputs that change, and what is seen of them.
+//! All members from their start to the end, with changing inputs, and their observation.
 
 #![allow(
     clippy::float_cmp,
@@ -16,15 +16,15 @@ use crate::bodies::columns::Generic;
 use crate::integrate::Bar;
 use crate::integrate::{Instants, IntegrationError, Sample, Sampled};
 
-/// What acts on the members over time: [`AsGiven`], or a function asked at equal intervals, by
+/// The inputs of the members over time: [`AsGiven`], or a function called at equal intervals, by
 /// [`EnsembleIntegration::control`](super::EnsembleIntegration::control).
 pub trait EnsembleControl<B: Generic> {
-    /// Sets the inputs that act from a time \[s\] on, and says until when they are held: a time
-    /// towards `end`, or beyond.
+    /// Sets the inputs that act from a time \[s\] on, and returns the time until which they are
+    /// held: towards `end`, or beyond.
     fn set(&mut self, ensemble: &mut Ensemble<B>, time: f64, end: f64) -> f64;
 }
 
-/// The inputs that the members have.
+/// The current inputs of the members.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AsGiven;
 
@@ -54,9 +54,9 @@ pub(super) struct EnsembleCourse<'e, B: Generic, M, C> {
     limits: Limits,
     time: f64,
     end: f64,
-    /// Until when the inputs act that act now.
+    /// The time until which the current inputs are held.
     held_until: f64,
-    /// Members that did not come this far, of those that others do not wait for.
+    /// Members that did not come this far, if the others go on without them.
     lost: Option<Vec<MemberError<B::State>>>,
     #[cfg(feature = "progress")]
     bar: Option<Bar>,
@@ -90,7 +90,7 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
         Self { bar, ..self }
     }
 
-    /// Goes on to a time, not beyond the end.
+    /// Advances to a time, not beyond the end.
     pub(super) fn seek(&mut self, time: f64) -> Result<(), MemberError<B::State>> {
         if self.ensemble.is_empty() {
             return Ok(());
@@ -124,7 +124,7 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
         Ok(())
     }
 
-    /// Moves all members on to a time, under the inputs that they have.
+    /// Moves all members to a time, under their current inputs.
     fn moved(&mut self, next: f64) -> Result<(), MemberError<B::State>> {
         let times = self.time..next;
         #[cfg(not(feature = "progress"))]
@@ -160,17 +160,17 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
         Ok(())
     }
 
-    /// Goes on to the end with those members that get there; returns the others, in order.
+    /// Advances the members that can reach the end; returns the others, in order.
     pub(super) fn seek_with_each(mut self) -> Vec<MemberError<B::State>> {
         self.lost = Some(Vec::new());
-        // what ends them all is known of each
+        // an error of all members is recorded for each
         let _ = self.seek(self.end);
         let mut lost = self.lost.unwrap_or_default();
         lost.sort_by_key(|one| one.index);
         lost
     }
 
-    /// What ends all motions, at the first; there is one.
+    /// The error that ended all motions, for the first member, if there is one.
     fn ended(
         &mut self,
         error: impl Fn(B::State) -> IntegrationError<B::State>,
@@ -189,7 +189,7 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
     }
 }
 
-/// An error of them all stands at the first.
+/// An error of all members is attributed to the first.
 fn at_first<S>(error: IntegrationError<S>) -> MemberError<S> {
     MemberError { index: 0, error }
 }
@@ -199,7 +199,7 @@ fn at_first<S>(error: IntegrationError<S>) -> MemberError<S> {
 #[derive(Debug)]
 pub struct EnsembleSamples<'e, B: Generic, M, C> {
     course: EnsembleCourse<'e, B, M, C>,
-    /// None if the period is none.
+    /// None if the period is invalid.
     instants: Option<Instants>,
     period: f64,
 }

@@ -1,4 +1,4 @@
-//! Evaluating and moving all members, in lanes and in threads.
+//! Evaluation and motion of all members, in lanes and in threads.
 
 use core::ops::Range;
 
@@ -17,7 +17,7 @@ use crate::state::State;
 /// The acceleration of a body of this kind.
 type Acceleration<B> = <<B as RigidBody>::State as State>::Acceleration;
 
-/// How often an observer hears of a run.
+/// The number of calls of an observer in a run.
 const ROUNDS: usize = 100;
 
 impl<B: Generic> Ensemble<B> {
@@ -29,7 +29,7 @@ impl<B: Generic> Ensemble<B> {
         accelerations
     }
 
-    /// The same, in the place of others.
+    /// The same, replacing given accelerations.
     ///
     /// # Panics
     /// If there are not as many accelerations as members.
@@ -56,7 +56,7 @@ impl<B: Generic> Ensemble<B> {
         self.cf4_observed(times, steps, |_| {});
     }
 
-    /// The same, telling an observer about a hundred times how many steps are done.
+    /// The same, calling an observer about a hundred times with the number of completed steps.
     pub fn cf4_observed(
         &mut self,
         times: Range<f64>,
@@ -88,10 +88,10 @@ impl<B: Generic> Ensemble<B> {
     }
 }
 
-/// Blocks that one thread takes at a time.
+/// The number of blocks that one thread takes at a time.
 const CHUNK: usize = 32;
 
-/// Does some work on all blocks; it is told which block is the first of its rows.
+/// Runs some work on all blocks, with the index of the first block of its rows.
 pub(super) fn in_chunks(
     rows: &mut [Eight],
     columns: usize,
@@ -114,7 +114,7 @@ pub(super) struct Block<'m> {
 }
 
 impl<B: Generic> Members<B> {
-    /// All blocks from one on.
+    /// All blocks from an index.
     #[inline(always)]
     pub(super) fn blocks(&self, first: usize) -> impl Iterator<Item = Block<'_>> {
         (first..).map_while(|index| {
@@ -141,7 +141,7 @@ impl Block<'_> {
     }
 }
 
-/// What a group has in the rows of its block, over lanes.
+/// The values of a group in the rows of its block, over lanes.
 #[inline(always)]
 pub(super) fn read<D: Columns<Lanes<S>>, S: Register>(simd: S, rows: &[Eight], group: usize) -> D {
     D::read(&mut Group {

@@ -1,4 +1,4 @@
-//! Where functions of time and state are zero along the motions of members.
+//! Zeros of functions of time and state along the motions of members.
 
 use alloc::vec::Vec;
 #[cfg(feature = "rayon")]
@@ -14,22 +14,22 @@ use crate::integrate::{Event, Integrate};
 /// An event in the motion of a member.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MemberEvent<S> {
-    /// Which member, from zero.
+    /// The index of the member, from zero.
     pub index: usize,
-    /// When, and its state then.
+    /// The time of the event, and the member's state at it.
     pub event: Event<S>,
 }
 
 impl<B: Generic + Integrate, M: Moves<B>> EnsembleIntegration<'_, B, M, AsGiven> {
-    /// Moves all members to the end \[s\] and tells where a function of time, member and its state
-    /// changes its sign on the way: the events of the first member in their order, then those of
+    /// Moves all members to the end \[s\] and returns the events of a function of time, member and
+    /// state: those of the first member in their order, then those of
     /// the second, as [`Integration::events`](crate::integrate::Integration::events) finds them.
     ///
-    /// Members move one by one for it, under the inputs that they have, and no bar is shown.
+    /// Members move one by one, under their current inputs, and no bar is shown.
     ///
     /// # Errors
-    /// [`MemberError`] with a member that does not come there, or of which the function is not a
-    /// number; the ensemble stays where it is.
+    /// [`MemberError`] with a member that does not reach the end, or whose function is NaN;
+    /// the ensemble keeps its states.
     pub fn events<F>(
         self,
         end: f64,

@@ -1,4 +1,4 @@
-//! One way to move all members: what is to be known beside the ensemble, and what comes out.
+//! The settings of an integration of all members, and its results.
 
 use alloc::vec::Vec;
 use core::borrow::Borrow;
@@ -14,8 +14,8 @@ use crate::bodies::columns::Generic;
 use crate::integrate::{DormandPrince, Fixed, Verner};
 use crate::integrate::{Integrate, Sampled, TOLERANCE, Tolerant};
 
-/// A motion of all members that is to be integrated, as one body's by
-/// [`Integration`](crate::integrate::Integration).
+/// An integration of all members, like [`Integration`](crate::integrate::Integration) for one
+/// body.
 ///
 /// ```
 /// use newton_euler::integrate::{DormandPrince8, Fixed, Sample};
@@ -60,9 +60,10 @@ pub struct EnsembleIntegration<'e, B: Generic, M, C> {
 }
 
 impl<B: Generic + Integrate<Best: Together<B>>> Ensemble<B> {
-    /// Integrates the motion of all members: from time zero, under the inputs that they have, each
-    /// with steps of its own; in closed form where there is one ([`Integrate::Best`]), else by
-    /// [`Verner`], several in a register. [`EnsembleIntegration`] can change all of that.
+    /// Integrates the motion of all members. By default it starts at time zero, under the current
+    /// inputs, each member with its own steps; in closed form if there is one
+    /// ([`Integrate::Best`]), otherwise by [`Verner`] in lanes. [`EnsembleIntegration`] changes
+    /// these settings.
     pub fn integrate(
         &mut self,
     ) -> EnsembleIntegration<'_, B, <B::Best as Together<B>>::Moves, AsGiven> {
@@ -83,7 +84,7 @@ impl<B: Generic + Integrate<Best: Together<B>>> Ensemble<B> {
 }
 
 impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
-    /// Begins at this time \[s\] and not at zero.
+    /// Begins at this time \[s\] instead of zero.
     pub fn starting_at(self, time: f64) -> Self {
         Self {
             start: time,
@@ -91,7 +92,7 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         }
     }
 
-    /// With this tolerance: see [`Tolerant::with_tolerance`].
+    /// Sets the tolerance: see [`Tolerant::with_tolerance`].
     pub fn tolerance(self, tolerance: f64) -> Self
     where
         M: Tolerant,
@@ -99,7 +100,8 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         self.method(M::with_tolerance(tolerance))
     }
 
-    /// By another method: [`Verner`], [`DormandPrince`] and [`Fixed`] in lanes, or [`OneByOne`] of any.
+    /// Uses another method: [`Verner`], [`DormandPrince`] and [`Fixed`] in lanes, or [`OneByOne`]
+    /// with any method.
     pub fn method<N>(self, method: N) -> EnsembleIntegration<'e, B, N, C> {
         EnsembleIntegration {
             ensemble: self.ensemble,
@@ -112,26 +114,26 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         }
     }
 
-    /// With no step longer than this \[s\]: see
+    /// Limits the length of steps \[s\]: see
     /// [`Integration::max_step`](crate::integrate::Integration::max_step).
     pub fn max_step(mut self, max_step: f64) -> Self {
         self.limits.max_step = max_step;
         self
     }
 
-    /// With steps that end at these times \[s\] as well, of all members: see
-    /// [`Integration::breaks`](crate::integrate::Integration::breaks). Where a member switches by
-    /// conditions on time with parameters of its own, its steps end in any case, and those of
-    /// others do not.
+    /// Ends steps of all members at these times \[s\] as well: see
+    /// [`Integration::breaks`](crate::integrate::Integration::breaks). Conditions on time with
+    /// parameters of a member end its steps in any case, and do not affect
+    /// others.
     pub fn breaks(mut self, times: impl IntoIterator<Item: Borrow<f64>>) -> Self {
         let times = times.into_iter();
         self.limits.breaks = times.map(|time| *time.borrow()).collect();
         self
     }
 
-    /// Under inputs that a function of time, member and its state gives at the start and every so
-    /// many seconds after, each held until the next (zero-order hold), as by a controller of each.
-    /// The members keep the last.
+    /// Takes inputs from a function of time, member and state, called at the start and after every
+    /// period \[s\], each held until the next (zero-order hold), like a digital controller per
+    /// member. The members keep their last inputs.
     pub fn control<F>(self, period: f64, function: F) -> EnsembleIntegration<'e, B, M, Sampled<F>>
     where
         F: FnMut(f64, usize, &B::State) -> B::Input,
@@ -147,8 +149,8 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         }
     }
 
-    /// Shows a bar on standard error, with how far the motion has come and the time that it will
-    /// take. Nothing is shown where standard error is no terminal.
+    /// Shows a bar on standard error, with the progress of the motion and the remaining
+    /// time. Shows nothing if standard error is no terminal.
     #[cfg(feature = "progress")]
     pub fn progress(self) -> Self {
         Self {
@@ -160,8 +162,8 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
     /// Moves all members to the end \[s\].
     ///
     /// # Errors
-    /// [`MemberError`] with a member that does not come there; the ensemble stays where it was when
-    /// its inputs changed last.
+    /// [`MemberError`] with a member that does not reach the end; the ensemble keeps its states
+    /// from the last change of inputs.
     pub fn to(self, end: f64) -> Result<(), MemberError<B::State>>
     where
         M: Moves<B>,
@@ -170,9 +172,9 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         self.course(end).seek(end)
     }
 
-    /// Moves those members to the end \[s\] that get there, and returns why the others do not, in
-    /// order: these stay at their last good states, and nobody waits for them. A controller is
-    /// asked for them as well.
+    /// Moves the members that can reach the end \[s\], and returns the errors of the others, in
+    /// order. These keep their last good states, and do not delay the others. A controller is
+    /// called for them as well.
     #[must_use = "these members are not at the end"]
     pub fn each_to(self, end: f64) -> Vec<MemberError<B::State>>
     where
@@ -182,10 +184,10 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         self.course(end).seek_with_each()
     }
 
-    /// The states of all members at the start and every so many seconds after, up to the end \[s\];
-    /// that is the last of them if it is a whole number of periods away. The ensemble itself moves
-    /// along, and stays at the last. Unlike those of one body, steps end at the samples. An error
-    /// is the last item.
+    /// The states of all members at the start and after every period \[s\], up to the end \[s\].
+    /// The end is the last sample if it is a whole number of periods away. The ensemble itself
+    /// moves along, and ends at the last sample. Unlike for one body, steps end at the samples. An
+    /// error is the last item.
     pub fn samples(self, end: f64, period: f64) -> EnsembleSamples<'e, B, M, C>
     where
         M: Moves<B>,

@@ -1,11 +1,11 @@
 //! Many bodies of one kind.
 //!
-//! Their states, inputs and parameters are kept by columns, and they are evaluated and moved
-//! several at a time, in the widest registers that the processor has: that is found at run time, so
-//! that no flags are needed for building. A member moves as it would alone, to the bit, whatever
-//! its neighbours are, how wide the registers and how many the threads.
+//! Their states, inputs and parameters are stored in columns. They are evaluated and moved
+//! several at a time, in the widest registers of the processor, detected at run time, so
+//! the build needs no flags. A member moves as it would alone, to the bit, whatever
+//! its neighbors, the width of registers and the number of threads.
 //!
-//! With the feature `rayon` all processor cores are used, with `progress` long runs show a bar.
+//! The feature `rayon` uses all processor cores; `progress` shows a bar for long runs.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -57,7 +57,7 @@ pub use plan::Limits;
 /// stones.cf4(0.0..1.0, 100);
 /// assert!((stones.state(500).position.x - 500.0).abs() < 1e-10);
 ///
-/// // as it would be alone
+/// // as it would move alone
 /// let alone = newton_euler::integrate::cf4(&Stone::default(), &thrown(500), &(), 0.0..1.0, 100);
 /// assert_eq!(stones.state(500), alone);
 /// ```
@@ -71,7 +71,7 @@ pub struct Ensemble<B: Generic> {
 /// The members without their states.
 #[derive(Clone, Debug)]
 struct Members<B: Generic> {
-    /// One for each member, or one for all.
+    /// One body per member, or one for all.
     bodies: Blocks<B>,
     is_uniform: bool,
     inputs: Blocks<B::Input>,
@@ -80,9 +80,9 @@ struct Members<B: Generic> {
 /// A member that cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InvalidMember {
-    /// Which one, from zero.
+    /// The index of the member, from zero.
     pub index: usize,
-    /// Why.
+    /// The reason.
     pub error: InvalidBody,
 }
 
@@ -111,10 +111,10 @@ impl<B: Generic> Ensemble<B> {
         Self::made(states, members)
     }
 
-    /// Bodies with parameters of their own, each in a state; inputs are zero.
+    /// Bodies with individual parameters, each in a state; inputs are zero.
     ///
     /// # Errors
-    /// [`InvalidMember`] with the first that cannot be built.
+    /// [`InvalidMember`] with the first member that cannot be built.
     pub fn with_params(
         members: impl IntoIterator<Item = (B::Params, B::State)>,
     ) -> Result<Self, InvalidMember> {
@@ -158,7 +158,7 @@ impl<B: Generic> Ensemble<B> {
         &self.states
     }
 
-    /// The same, to be changed.
+    /// The same, mutable.
     #[must_use]
     pub fn states_mut(&mut self) -> &mut Blocks<B::State> {
         &mut self.states
@@ -179,7 +179,7 @@ impl<B: Generic> Ensemble<B> {
         &self.members.inputs
     }
 
-    /// The same, to be changed.
+    /// The same, mutable.
     #[must_use]
     pub fn inputs_mut(&mut self) -> &mut Blocks<B::Input> {
         &mut self.members.inputs
@@ -195,13 +195,13 @@ impl<B: Generic> Ensemble<B> {
         self.members.body(index)
     }
 
-    /// How wide the registers are in which members are computed.
+    /// The width of the registers for computing members.
     #[must_use]
     pub fn width(&self) -> Width {
         self.width
     }
 
-    /// Computes in registers of this width, or of the next narrower that the processor has; the
+    /// Sets the width of registers, or the next narrower that the processor has; the
     /// results are the same.
     pub fn set_width(&mut self, width: Width) {
         let narrower = Width::ALL.into_iter().rev();

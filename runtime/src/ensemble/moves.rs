@@ -1,4 +1,4 @@
-//! Methods that move all members: each for itself, or several in lanes.
+//! Methods that move all members: one by one, or in lanes.
 
 use core::fmt;
 use core::ops::Range;
@@ -24,12 +24,12 @@ use crate::numbers::count::real;
 use crate::numbers::lanes::{Lanes, Register, Width, Work};
 use crate::state::Coordinates;
 
-/// A member whose motion ended before its time.
+/// A member whose motion ended early.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MemberError<S> {
-    /// Which one, from zero.
+    /// The index of the member, from zero.
     pub index: usize,
-    /// Why, with the last state that was good.
+    /// The reason, with the last good state.
     pub error: IntegrationError<S>,
 }
 
@@ -47,14 +47,14 @@ impl<S: fmt::Debug + 'static> core::error::Error for MemberError<S> {
 
 /// A method for all members of an ensemble.
 pub trait Moves<B: Generic> {
-    /// The method by which a member moves so when it is alone, to the bit.
+    /// The method that moves a single body identically, to the bit.
     type Alone: Method<B>;
 
     /// That method.
     fn alone(&self) -> Self::Alone;
 
-    /// Moves all members between two times \[s\], with the inputs held, and tells an observer what
-    /// part of them is done. Those that do not come to the end stay where they are, and are
+    /// Moves all members between two times \[s\], with the inputs held, and calls an observer with
+    /// the completed fraction. Members that do not reach the end keep their states, and are
     /// returned, in order.
     fn moved(
         &self,
@@ -65,13 +65,13 @@ pub trait Moves<B: Generic> {
     ) -> Vec<MemberError<B::State>>;
 }
 
-/// A method of one body, and how an ensemble moves by default where that is the best one.
+/// A method for one body, and the default method of an ensemble of bodies for which it is the best.
 pub trait Together<B: Generic> {
     /// In lanes, or one by one.
     type Moves: Moves<B> + Tolerant;
 }
 
-/// Nothing is to be gained by lanes.
+/// Lanes gain nothing.
 impl<B: Generic> Together<B> for ClosedForm
 where
     Self: Method<B>,
@@ -84,7 +84,7 @@ impl<B: Generic> Together<B> for TaylorSeries {
     type Moves = Verner;
 }
 
-/// In lanes, the greater order is as fast where it is not faster.
+/// In lanes, the higher order is at least as fast.
 impl<B: Generic> Together<B> for RungeKuttaPair {
     type Moves = Verner;
 }
@@ -96,7 +96,7 @@ where
     type Moves = OneByOne<Self>;
 }
 
-/// Every member for itself, by any method, with steps of its own.
+/// Moves members one by one, by any method, each with its own steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OneByOne<M>(pub M);
 
@@ -126,7 +126,7 @@ impl<B: Generic, M: Method<B>> Moves<B> for OneByOne<M> {
     }
 }
 
-/// Where a member comes to when it moves by itself.
+/// The end of a member that moves alone.
 fn end_alone<B: Generic, M: Method<B>>(
     ensemble: &Ensemble<B>,
     method: M,
@@ -145,7 +145,7 @@ fn end_alone<B: Generic, M: Method<B>>(
     Ok(course.run.state())
 }
 
-/// Whether there is a body of the mass and the inertia that a member has at a time.
+/// Whether a member's mass and inertia are possible at a time.
 fn is_possible<B: Generic>(ensemble: &Ensemble<B>, index: usize, time: f64) -> bool {
     let Ensemble {
         states, members, ..
@@ -154,7 +154,7 @@ fn is_possible<B: Generic>(ensemble: &Ensemble<B>, index: usize, time: f64) -> b
     body.possible(time, &states.get(index), &input).is_ok()
 }
 
-/// Puts members where they came to; returns those that came to no end.
+/// Stores the ends of members; returns the members that reached no end.
 fn put<S: Columns<f64>>(
     states: &mut Blocks<S>,
     ends: impl Iterator<Item = (usize, Result<S, IntegrationError<S>>)>,
@@ -199,7 +199,7 @@ macro_rules! moves_in_lanes {
 moves_in_lanes!(DormandPrince);
 moves_in_lanes!(Verner);
 
-/// Moves all members in lanes; those that are left there, alone.
+/// Moves all members in lanes, and those that are left alone.
 fn stream<B: Generic, A: Adaptive + Method<B>>(
     method: A,
     ensemble: &mut Ensemble<B>,
@@ -256,7 +256,7 @@ fn stream<B: Generic, A: Adaptive + Method<B>>(
     put(&mut ensemble.states, ends.into_iter())
 }
 
-/// How many of the members are done, and who hears of it.
+/// The number of completed members, and the observer.
 struct Done<F> {
     count: AtomicUsize,
     all: usize,
@@ -290,8 +290,8 @@ pub(super) fn indices(count: usize) -> Range<usize> {
     0..count
 }
 
-/// In lanes: each member moves as it would alone, to the bit. Of a motion that does not stay
-/// finite, the error has the state at the start.
+/// In lanes: each member moves as it would alone, to the bit. If a motion becomes non-finite,
+/// the error has the state at the start.
 impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
     type Alone = Self;
 
@@ -357,7 +357,7 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
     }
 }
 
-/// Moves all members by this many steps, or by those that each takes on its way.
+/// Moves all members by this many steps, or by as many as each needs.
 fn in_lanes<B: Generic, M: RungeKutta>(
     plan: &Plan<'_, Fixed<M>, B>,
     steps: usize,
@@ -390,7 +390,7 @@ fn in_lanes<B: Generic, M: RungeKutta>(
     });
 }
 
-/// The members of each register that take the same steps; says whether those are all.
+/// Advances the members of each register that take the same steps; returns whether those are all.
 struct Advance<'e, M, B: Generic> {
     plan: &'e Plan<'e, Fixed<M>, B>,
     step: f64,
@@ -427,7 +427,7 @@ impl<M: RungeKutta, B: Generic> Work for Advance<'_, M, B> {
     }
 }
 
-/// As a [`FixedRun`](crate::integrate::FixedRun) does, in lanes.
+/// Like a [`FixedRun`](crate::integrate::FixedRun), in lanes.
 #[inline(always)]
 fn moved<M, L, S>(
     simd: S,

@@ -1,4 +1,4 @@
-//! What moves, between which times, and what its steps keep to.
+//! The moving bodies, the times, and the limits of steps.
 
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -7,14 +7,14 @@ use super::Members;
 use crate::bodies::columns::Generic;
 use crate::integrate::Pace;
 
-/// What the steps of all members keep to.
+/// The limits of the steps of all members.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limits {
-    /// No step is longer \[s\].
+    /// The largest step \[s\].
     pub max_step: f64,
     /// Steps end at these times \[s\], in any order.
     pub breaks: Vec<f64>,
-    /// When the inputs were given \[s\].
+    /// The time at which the inputs were given \[s\].
     pub given: f64,
 }
 
@@ -27,7 +27,7 @@ impl Limits {
     }
 }
 
-/// What moves, how, and when.
+/// The bodies, the method and the times.
 pub(super) struct Plan<'e, M, B: Generic> {
     pub(super) method: M,
     pub(super) members: &'e Members<B>,

@@ -1,4 +1,4 @@
-//! Bodies that move and turn, neither depending on the other.
+//! Bodies whose translation and rotation are independent.
 
 use super::{GreatCircle, Parabola};
 use crate::bodies::path::Path;
@@ -26,10 +26,10 @@ use crate::state::{Hinge, Planar, Rod, Rotation, Spatial};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flight<R, const D: usize> {
-    /// Of G, world axes.
+    /// The motion of G, world axes.
     pub center: Parabola<D>,
     /// A [`FreeRotation`](super::FreeRotation), a [`LagrangeTop`](super::LagrangeTop) or an
-    /// [`AxialTorque`](super::AxialTorque), of a rod a [`GreatCircle`], in the plane a path of the
+    /// [`AxialTorque`](super::AxialTorque), for a rod a [`GreatCircle`], in the plane a path of the
     /// angle: a [`Parabola`] or a [`Pendulum`](super::Pendulum).
     pub rotation: R,
 }

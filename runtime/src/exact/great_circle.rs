@@ -5,7 +5,7 @@ use nalgebra::{Unit, UnitVector3, Vector3};
 use crate::numbers::scale;
 use crate::numbers::twofold::Twofold;
 
-/// The axis of a rod on which no moment acts: it turns along a great circle at the constant
+/// The axis of a rod without a moment: it rotates along a great circle at the constant
 /// rate |u̇|.
 ///
 /// ```text
@@ -31,7 +31,8 @@ pub struct GreatCircle {
 }
 
 impl GreatCircle {
-    /// The axis at time zero and its rate \[1/s\], of which the part across the axis counts.
+    /// From the axis at time zero and its rate \[1/s\]; only the part perpendicular to the axis
+    /// counts.
     #[must_use]
     pub fn new(axis: UnitVector3<f64>, axis_rate: Vector3<f64>) -> Self {
         let axis = axis.into_inner();
@@ -62,7 +63,7 @@ impl GreatCircle {
         (Unit::new_unchecked(axis), direction * self.rate.value())
     }
 
-    /// As [`Path::pace`](super::Path::pace).
+    /// The same as [`Path::pace`](super::Path::pace).
     #[must_use]
     pub fn pace(&self) -> f64 {
         1.0 / self.rate.value()

@@ -1,14 +1,14 @@
-//! Closed forms: motions that are functions of time.
+//! Closed forms: motions as functions of time.
 //!
-//! `outputs: [flow]` writes them for a body that has one, as [`Flow`](crate::body::Flow); here they
-//! are for use by hand. Each is a [`Path`], set up once from a state and then evaluated at any
-//! times, past or far ahead.
+//! `outputs: [flow]` provides them as [`Flow`](crate::body::Flow) for a body that has one; here
+//! they can be used directly. Each is a [`Path`], set up once from a state and then evaluated at
+//! any times, past or future.
 //!
-//! | what | from |
+//! | path | constructed from |
 //! |---|---|
-//! | [`FreeRotation`] | an inertia tensor and a state that turns |
-//! | [`LagrangeTop`] | moments of inertia and axis of a symmetric body, a couple, and a state that turns |
-//! | [`AxialTorque`] | moments of inertia and axis of a symmetric body, a constant couple along it, and a state that turns |
+//! | [`FreeRotation`] | an inertia tensor and a rotation state |
+//! | [`LagrangeTop`] | moments of inertia and axis of a symmetric body, a couple, and a rotation state |
+//! | [`AxialTorque`] | moments of inertia and axis of a symmetric body, a constant couple along it, and a rotation state |
 //! | [`GreatCircle`] | the axis of a rod |
 //! | [`Pendulum`] | its rate of small oscillations, where it hangs at rest, and a state |
 //! | [`Gyrostat`] | the axis of a symmetric body with rotors, and the rates that its rotors leave it |
@@ -17,9 +17,9 @@
 //! | [`Flight`] | a [`Parabola`] of G, and one of the rotations |
 //! | [`FlyingPoint`] | the same, seen from another point of the body |
 //!
-//! Elliptic functions are [`Jacobi`]'s, integrals of the third kind are [`r_j`]. They are our own:
-//! of the libraries that there are, none has elliptic functions from the complementary modulus,
-//! which carries the digits near a separatrix.
+//! [`Jacobi`] has elliptic functions, [`r_j`] integrals of the third kind. This library implements
+//! them itself, because no existing library takes the complementary modulus, which carries the
+//! digits near a separatrix.
 
 mod accelerated;
 mod axial_torque;

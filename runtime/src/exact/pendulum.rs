@@ -9,19 +9,20 @@ use crate::numbers::math;
 use crate::numbers::twofold::Twofold;
 use crate::state::Hinge;
 
-/// π/2 less the double next to it.
+/// π/2 minus the nearest double.
 const QUARTER_REST: f64 = 6.123_233_995_736_766e-17;
 
-/// As cosine of half the angle: next to upright, tilts are told from there, and keep their digits.
+/// A cosine of half the angle: below it, next to upright, tilts are measured from upright, and keep
+/// their digits.
 const NEAR: f64 = 1e-5;
 
-/// As such a cosine: squares of what is larger do not underflow.
+/// A cosine of half the angle: squares of larger ones do not underflow.
 const LEAST: f64 = 1e-150;
 
-/// A body that turns about a fixed axis under its weight: `θ'' = -Ω² sin(θ - θ₀)`, at any
+/// A body that rotates about a fixed axis under its weight: `θ'' = -Ω² sin(θ - θ₀)`, at any
 /// amplitude.
 ///
-/// With φ = θ - θ₀, it swings or it goes round, by which of `cos(φ/2)` and `|φ'|/2Ω` is the larger:
+/// With φ = θ - θ₀, it swings or rotates, depending on which of `cos(φ/2)` and `|φ'|/2Ω` is larger:
 ///
 /// ```text
 /// swings        sin(φ/2) = k sn(Ω t + u₀, k)      φ' = 2 k Ω cn        k'² = cos²(φ/2) - φ'²/4Ω²
@@ -29,9 +30,9 @@ const LEAST: f64 = 1e-150;
 /// ```
 ///
 /// k' is written as a product, and keeps its digits near the separatrix between the two. The angle
-/// is not wrapped. Next to upright its digits are those of the tilt that it leaves; below 1e-150,
-/// at rest, it stays upright. A θ₀ that is the double next to a quarter turn, or to several, is
-/// taken for these.
+/// is not wrapped. Next to upright its digits are those of the remaining tilt; a tilt below 1e-150
+/// at rest stays upright. If θ₀ is the double nearest to a multiple of a quarter turn, it is
+/// taken as that multiple.
 ///
 /// ```
 /// use newton_euler::exact::{Path, Pendulum};
@@ -49,7 +50,7 @@ const LEAST: f64 = 1e-150;
 pub struct Pendulum {
     /// θ₀
     hanging: Twofold,
-    /// How often half a turn was taken off.
+    /// The number of half turns that were removed.
     wrapped: f64,
     /// θ₀ and these.
     center: Twofold,
@@ -68,7 +69,7 @@ enum Case {
 }
 
 impl Pendulum {
-    /// From the rate Ω of small oscillations \[rad/s\], the angle θ₀ at which it hangs at rest, and
+    /// From the rate Ω of small oscillations \[rad/s\], the equilibrium angle θ₀, and
     /// the state at time zero.
     #[must_use]
     pub fn new(rate: f64, hanging: f64, state: &Hinge) -> Self {
@@ -80,7 +81,7 @@ impl Pendulum {
         };
         let (mut sine, mut cosine) = half_from(wrapped);
         if cosine < NEAR {
-            // from upright; turns may have been rounded to the other side of it
+            // measured from upright; rounding may have moved turns to its other side
             let side = f64::copysign(1.0, sine);
             let (tilt, upright) = half_from(wrapped + side);
             (sine, cosine) = (side * upright, -side * tilt);
@@ -125,7 +126,7 @@ impl Pendulum {
         }
     }
 
-    /// The time of a swing to and fro, or of a turn \[s\]; infinite on the separatrix.
+    /// The period of a full swing or of a rotation \[s\]; infinite on the separatrix.
     ///
     /// ```
     /// # use newton_euler::exact::Pendulum;
@@ -152,7 +153,7 @@ fn half_turns(number: f64) -> Twofold {
     Twofold::product(PI, number) + Twofold::from(2.0 * QUARTER_REST * number)
 }
 
-/// An angle, of which the doubles next to quarter turns are these.
+/// An angle, with doubles nearest to quarter turns taken as these.
 #[expect(clippy::float_cmp, reason = "one double stands for a quarter turn")]
 fn exact(angle: f64) -> Twofold {
     let quarters = math::floor(angle / FRAC_PI_2 + 0.5);

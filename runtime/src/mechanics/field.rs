@@ -8,7 +8,7 @@
 //! and, if Σ e ≠ 0,   K = r₀ × F,   r₀ = Σ e r / Σ e
 //! ```
 //!
-//! The moment is computed by p, so that without a net charge it is a couple and no special case.
+//! The moment is computed from p, so without a net charge it is a couple and no special case.
 //! Gravity is the case in which e is mass and E its acceleration g: r₀ is the center of mass, and
 //! about it p = 0.
 
@@ -17,10 +17,10 @@ use nalgebra::Vector3;
 use crate::mechanics::wrench::Wrench;
 use crate::numbers::twofold::Twofold;
 
-/// What a uniform field sees of charges fixed in a body: their sum and their dipole moment.
+/// The charges of a body, as a uniform field sees them: their sum and their dipole moment.
 ///
 /// Charges are in any unit, fields in newtons per that unit; positions, field, force and moment are
-/// in the same axes. For charges given in the body, turn the field into body axes.
+/// in the same axes. For charges given in the body, rotate the field into body axes.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -43,9 +43,10 @@ pub struct Charges {
 }
 
 impl Charges {
-    /// The sums Σ e and Σ e r of charges e at positions r \[m\], finite numbers; of none, zeros.
+    /// The sums Σ e and Σ e r of charges e at positions r \[m\], finite numbers; zero for no
+    /// charges.
     ///
-    /// Sums are formed in twice the precision, so that opposite charges and far origins cost no
+    /// Sums are formed in twice the precision, so opposite charges and far origins cost no
     /// digits: they are right to rounding unless they are 1e-16 times smaller than their largest
     /// term, with an absolute error of 1e-32 times that term.
     ///
@@ -77,8 +78,8 @@ impl Charges {
         }
     }
 
-    /// What is left of a sum of charges relative to the sum of their magnitudes, and may be the
-    /// rounding of the charges themselves, which is up to half of this: 0.1, 0.2 and -0.3 make
+    /// The largest sum of charges, relative to the sum of their magnitudes, that may be
+    /// rounding of the charges themselves, which is up to half of this: 0.1, 0.2 and -0.3 sum to
     /// 2.8e-17.
     pub const NEUTRAL: f64 = f64::EPSILON;
 
@@ -98,7 +99,7 @@ impl Charges {
     /// charges are masses.
     ///
     /// None if there is no net charge: if |Σ e| is at most [`Self::NEUTRAL`] times Σ |e|. Above
-    /// that it is far away for nearly neutral bodies and has as few digits as the charges
+    /// that, for nearly neutral bodies it is far away and has as few digits as the charges
     /// determine; force and moment do not depend on it.
     ///
     /// ```

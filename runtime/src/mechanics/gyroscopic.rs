@@ -21,23 +21,23 @@
 //! from which it may have been written. Everything else comes out wrong:
 //!
 //! - In principal axes it says `M_i = -J ω̇`: no gyroscopic moment at all. A free body keeps its ω,
-//!   its axis cones about ω and not about the angular momentum, and nothing flips about its
+//!   its axis cones about ω instead of the angular momentum, and nothing flips about its
 //!   intermediate axis (J = (1, 2, 3) with ω = (0.01, 1, 0.01) should, with a period of 39.1 s). A
 //!   heavy symmetric top moves as if it were spherical: it precesses at J₃/J₁ times its rate.
-//! - It is not an equation between tensors. J = diag(1, 2, 3), ω = (1, 1, 0): nothing in these
-//!   axes, (0, 0, -1), which is right, in axes turned by 45° about z.
+//! - It is not an equation between tensors. For J = diag(1, 2, 3), ω = (1, 1, 0) it gives zero in
+//!   these axes, and (0, 0, -1), the right value, in axes rotated by 45° about z.
 //! - It does work. The full gyroscopic moment never does: `ω · (ω × Jω) = 0`.
 //! - Angular momentum is not conserved in space.
 //!
-//! It was found by computer algebra on two routes that had to agree: the derivative of the tensor
-//! times ω, and the sum of `-m r × (ω̇ × r + ω × (ω × r))` over mass points with symbolic
-//! coordinates. The coefficients of the squares were those printed, the coefficients of the
+//! The error was found by computer algebra on two routes that had to agree: the derivative of the
+//! tensor times ω, and the sum of `-m r × (ω̇ × r + ω × (ω × r))` over mass points with symbolic
+//! coordinates. The coefficients of the squares were those printed; the coefficients of the
 //! products were not zero. `tests/mechanics/erratum.rs` pins each statement to its numbers.
 //!
-//! A second one is of convention. (1.5) writes the inertia matrix with entries +`Jxy`, which as a
-//! tensor means `Jxy = -∫xy dm`; (1.9) needs `Jxy = +∫xy dm`: read with (1.5), all of `G_sq`
-//! changes sign. Here a product of inertia is positive (+∫xy dm), an entry of the tensor is its
-//! negative, and [`InertiaTensor`] asks which is meant.
+//! A second discrepancy is one of convention. (1.5) writes the inertia matrix with entries +`Jxy`,
+//! which as a tensor means `Jxy = -∫xy dm`; (1.9) needs `Jxy = +∫xy dm`: read with (1.5), all of
+//! `G_sq` changes sign. Here a product of inertia is positive (+∫xy dm), an entry of the tensor is
+//! its negative, and [`InertiaTensor`] requires a choice.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -112,11 +112,11 @@ pub fn linearization(inertia: &InertiaTensor, angular_velocity: &Vector3<f64>) -
     matrix(inertia, angular_velocity) - inertia.times(angular_velocity).cross_matrix()
 }
 
-/// The gyroscopic moment `ω × Jω` \[N m\], in body axes, as ω is \[rad/s\]. It stands on the left
-/// of `J ω̇ + ω × Jω = K`.
+/// The gyroscopic moment `ω × Jω` \[N m\], in body axes, as ω is \[rad/s\]. It is a term of the
+/// left side of `J ω̇ + ω × Jω = K`.
 ///
-/// Computed as `ω × (J - λ1)ω` with `λ = Jzz`, which is the same since `ω × ω = 0`, takes two
-/// operations fewer, and keeps all digits of bodies that are nearly spherical.
+/// It is computed as `ω × (J - λ1)ω` with `λ = Jzz`, which is equal since `ω × ω = 0`. This takes
+/// two operations fewer, and keeps all digits for nearly spherical bodies.
 ///
 /// ```
 /// use nalgebra::Vector3;

@@ -1,4 +1,4 @@
-//! Mechanics that knows of no body: inertia, loads and their resultants, attitudes.
+//! Mechanics without bodies: inertia, loads and their resultants, attitudes.
 
 pub mod attitude;
 pub mod field;

@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use crate::mechanics::attitude;
 use crate::numbers::math;
 
-/// Sweeps through the three planes. Convergence is quadratic and takes four to six.
+/// The number of sweeps through the three planes. Convergence is quadratic and takes four to six.
 const SWEEPS: usize = 12;
 
 /// Principal moments and axes of an inertia tensor: J = R diag(moments) Rᵀ with R the rotation of
@@ -19,7 +19,7 @@ pub struct PrincipalAxes {
     /// Principal moments, ascending \[kg m²\].
     pub moments: Vector3<f64>,
     /// Takes components along principal axes to components along the axes of the tensor; the
-    /// identity if these are principal and in order. Among equal moments the axes are a choice.
+    /// identity if these are principal and in order. For equal moments the axes are arbitrary.
     pub axes: UnitQuaternion<f64>,
 }
 
@@ -48,13 +48,13 @@ pub(crate) fn diagonalized(matrix: &Matrix3<f64>) -> PrincipalAxes {
     }
 }
 
-/// Turns axes A and B about axis C, by at most π/4, so that the entry (A, B) vanishes; returns the
-/// turn, if there is something to turn.
+/// Rotates axes A and B about axis C, by at most π/4, so that the entry (A, B) vanishes; returns
+/// the rotation, if one is needed.
 fn annihilated<const A: usize, const B: usize, const C: usize>(
     j: &mut Matrix3<f64>,
 ) -> Option<Quaternion<f64>> {
     let product = j[(A, B)];
-    // relative to the moments of this plane: what is left moves neither beyond rounding
+    // relative to the moments of this plane: the remainder changes neither beyond rounding
     let negligible = f64::EPSILON * f64::EPSILON / 64.0 * (j[(A, A)] * j[(B, B)]).abs();
     let is_there = product * product > negligible;
     if !is_there {
@@ -77,7 +77,7 @@ fn annihilated<const A: usize, const B: usize, const C: usize>(
     Some(turn_about::<C>(cosine, sine))
 }
 
-/// Exchanges axes A and B, by a turn about axis C, if their moments are not in order.
+/// Exchanges axes A and B, by a rotation about axis C, if their moments are not in order.
 fn ascending<const A: usize, const B: usize, const C: usize>(
     moments: &mut Vector3<f64>,
     axes: &mut Quaternion<f64>,
@@ -88,7 +88,7 @@ fn ascending<const A: usize, const B: usize, const C: usize>(
     }
 }
 
-/// The unit quaternion of the turn about a coordinate axis with this cosine (not -1) and sine.
+/// The unit quaternion of the rotation about a coordinate axis with this cosine (not -1) and sine.
 fn turn_about<const AXIS: usize>(cosine: f64, sine: f64) -> Quaternion<f64> {
     let norm = math::sqrt(2.0 * (1.0 + cosine));
     let mut vector = Vector3::zeros();

@@ -1,9 +1,9 @@
 //! Elementary functions: the names and meanings of std's methods on `f64`, in libm.
 //!
-//! Every sine of this library, generated or not, is this one, so that results do not depend on the
-//! platform's.
+//! The whole library, including generated code, takes its elementary functions from here, so
+//! results do not depend on the platform's.
 
-/// One function of one number each, forwarded to libm.
+/// Functions of one number, forwarded to libm.
 macro_rules! unary {
     ($($name:ident = $function:path, $meaning:literal;)*) => {$(
         #[doc = $meaning]
@@ -15,7 +15,7 @@ macro_rules! unary {
     )*};
 }
 
-/// One function of two numbers each.
+/// Functions of two numbers.
 macro_rules! binary {
     ($($name:ident($x:ident, $y:ident) = $function:path, $meaning:literal;)*) => {$(
         #[doc = $meaning]
@@ -60,8 +60,8 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
     libm::sincos(x)
 }
 
-/// The smaller; of a number and NaN, the number; of 0 and -0, which for std's `min` are in any
-/// order, the second.
+/// The smaller; of a number and NaN, the number; of 0 and -0, the second (std's `min` may return
+/// either).
 #[inline]
 #[must_use]
 #[expect(clippy::eq_op, reason = "NaN alone is not equal to itself")]
@@ -69,8 +69,8 @@ pub fn min<T: Copy + PartialOrd>(x: T, y: T) -> T {
     if x < y || y != y { x } else { y }
 }
 
-/// The larger; of a number and NaN, the number; of 0 and -0, which for std's `max` are in any
-/// order, the second.
+/// The larger; of a number and NaN, the number; of 0 and -0, the second (std's `max` may return
+/// either).
 #[inline]
 #[must_use]
 #[expect(clippy::eq_op, reason = "NaN alone is not equal to itself")]

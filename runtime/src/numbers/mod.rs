@@ -1,4 +1,4 @@
-//! Numbers: scalars and what is computed with them, whatever they measure.
+//! Numbers: scalars, and computations that do not depend on their meaning.
 
 pub(crate) mod count;
 #[cfg(feature = "ensemble")]

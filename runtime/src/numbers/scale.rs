@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::numbers::twofold::Twofold;
 
-/// The power of two next below a positive number; 0 for zero and for what is not finite.
+/// The power of two next below a positive number; 0 for zero and for non-finite numbers.
 pub(crate) fn exponent(largest: f64) -> i32 {
     if largest > 0.0 && largest.is_finite() {
         libm::ilogb(largest)

@@ -46,7 +46,7 @@ impl Twofold {
         self.high
     }
 
-    /// The square root of a number that is not negative.
+    /// The square root of a nonnegative number.
     pub(crate) fn sqrt(self) -> Self {
         let root = math::sqrt(self.high);
         if root == 0.0 {
@@ -146,7 +146,7 @@ impl Div for Twofold {
     }
 }
 
-/// The nearest number of 26 bits, and what is left of 26 bits and a sign.
+/// The nearest number of 26 bits, and the remainder, of 26 bits and a sign.
 fn halves(x: f64) -> [f64; 2] {
     let upper = f64::from_bits(x.to_bits().wrapping_add(1 << 26) & (u64::MAX << 27));
     [upper, x - upper]

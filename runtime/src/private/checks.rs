@@ -1,4 +1,4 @@
-//! What a constructor checks, and a motion that has ended.
+//! Checks of constructors and of motions that have ended.
 
 use nalgebra::Matrix3;
 
@@ -6,7 +6,7 @@ use crate::bodies::body::{Impossible, InvalidBody};
 use crate::mechanics::inertia::check_turning;
 use crate::numbers::scalar::Scalar;
 
-/// Every parameter by its name: all must be finite.
+/// Checks that all parameters are finite.
 ///
 /// # Errors
 /// [`InvalidBody::NotFinite`] with the first that is not.
@@ -41,8 +41,8 @@ pub fn check_planar_inertia<T: Scalar>(value: T) -> Result<(), Impossible> {
     }
 }
 
-/// A number that a link or a cable is made with, by its name and the word for it: finite and positive,
-/// or zero where that may be.
+/// Checks a property of a link or a cable, given its name and the word for it: finite and positive,
+/// or zero where that is permitted.
 ///
 /// # Errors
 /// [`InvalidBody::Property`].
@@ -76,7 +76,7 @@ pub fn check_inertia<T: Scalar>(entries: [T; 6]) -> Result<(), Impossible> {
     Ok(())
 }
 
-/// What was found of a body of a system, with its name.
+/// Adds the name of a body of a system to the result of its check.
 ///
 /// # Errors
 /// [`InvalidBody::Member`].
@@ -84,7 +84,7 @@ pub fn member(body: &'static str, found: Result<(), Impossible>) -> Result<(), I
     found.map_err(|impossible| InvalidBody::Member { body, impossible })
 }
 
-/// The first of the numbers of a scalar that is such.
+/// The first number of a scalar with a property.
 fn find<T: Scalar>(scalar: T, is_such: impl Fn(f64) -> bool) -> Option<f64> {
     (0..T::LANES)
         .map(|lane| scalar.lane(lane))
@@ -95,7 +95,7 @@ fn is_positive(value: f64) -> bool {
     value.is_finite() && value > 0.0
 }
 
-/// The first of these loads of which a component is infinite or not a number.
+/// The first of these loads with an infinite or NaN component.
 #[must_use]
 pub fn lost_load<T: Scalar>(loads: &[(&'static str, &[T])]) -> Option<&'static str> {
     let is_lost = |part: &T| find(*part, |value| !value.is_finite()).is_some();

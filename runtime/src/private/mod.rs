@@ -1,4 +1,4 @@
-//! All that generated code may name. Not for users: no promise of stability.
+//! All names of generated code. Not for users: no promise of stability.
 
 pub use nalgebra::{SMatrix, UnitQuaternion, Vector2, Vector3};
 pub use newton_euler_macros::{rigid_body, rigid_system};
@@ -32,12 +32,12 @@ pub use crate::state::{
 };
 pub use crate::taylor::{Arithmetic, Axes, Products, Series, Taylor};
 
-/// A state of one's own.
+/// A user-defined state.
 pub type Real = f64;
 
-/// The types that hold numbers, over any scalar.
+/// Numeric types over any scalar.
 pub mod generic {
-    /// A state of one's own.
+    /// A user-defined state.
     pub type Real<T> = T;
 
     pub use crate::mechanics::load::generic::*;
@@ -57,7 +57,7 @@ pub use crate::__system_state as system_state;
 #[cfg(feature = "serde")]
 pub use {crate::__written as written, serde};
 
-/// Nothing is serialised.
+/// Without serialization.
 #[cfg(not(feature = "serde"))]
 #[doc(hidden)]
 #[macro_export]

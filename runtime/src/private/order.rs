@@ -1,4 +1,4 @@
-//! What recurrences read of the order n of a coefficient.
+//! The order n of a coefficient, as recurrences read it.
 
 use crate::numbers::count::real;
 

@@ -1,4 +1,4 @@
-//! Closed forms from the numbers of a description.
+//! Closed forms, constructed from the numbers of a description.
 
 use nalgebra::{Matrix3, Unit, UnitQuaternion};
 
@@ -7,8 +7,8 @@ use crate::mechanics::inertia::InertiaTensor;
 use crate::mechanics::principal::PrincipalAxes;
 use crate::state::Rotation;
 
-/// Of a tensor that the constructor has checked: its entries xx, yy, zz, xy, yz, zx. Axes that are
-/// principal stay, in any order.
+/// From a tensor that the constructor has checked: its entries xx, yy, zz, xy, yz, zx. Principal
+/// axes are kept, in any order.
 #[must_use]
 pub fn principal_axes(entries: [f64; 6]) -> PrincipalAxes {
     let inertia = InertiaTensor::checked(entries);
@@ -21,26 +21,26 @@ pub fn principal_axes(entries: [f64; 6]) -> PrincipalAxes {
     inertia.principal_axes()
 }
 
-/// Of a body with these principal axes.
+/// From a body with these principal axes.
 #[must_use]
 pub fn rotation_about(principal: &PrincipalAxes, state: &Rotation) -> FreeRotation {
     let axes = principal.axes.to_rotation_matrix().into_inner();
     FreeRotation::principal(principal.moments.into(), &axes, state)
 }
 
-/// Of the moments across an axis and along it, and its unit vector.
+/// From the moments across an axis and along it, and its unit vector.
 #[must_use]
 pub fn symmetric_rotation(moments: [f64; 2], axis: [f64; 3], state: &Rotation) -> FreeRotation {
     FreeRotation::symmetric(moments, Unit::new_unchecked(axis.into()), state)
 }
 
-/// Of principal moments along the axes of the body.
+/// From principal moments along the axes of the body.
 #[must_use]
 pub fn rotation_along(moments: [f64; 3], state: &Rotation) -> FreeRotation {
     FreeRotation::principal(moments, &Matrix3::identity(), state)
 }
 
-/// Of principal moments and the unit vectors of their axes.
+/// From principal moments and the unit vectors of their axes.
 #[must_use]
 pub fn principal_rotation(
     moments: [f64; 3],
@@ -50,8 +50,8 @@ pub fn principal_rotation(
     FreeRotation::principal(moments, &Matrix3::from(axes), state)
 }
 
-/// Of the moments across an axis and about it, its unit vector, and the couple per unit of its arm,
-/// world axes.
+/// From the moments across an axis and about it, its unit vector, and the couple per unit of its
+/// arm, world axes.
 #[must_use]
 pub fn lagrange_top(
     moments: [f64; 2],

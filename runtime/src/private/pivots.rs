@@ -1,14 +1,14 @@
-//! Divisors that depend on the configuration, and what is positive.
+//! Divisors that depend on the configuration, and positive quantities.
 
 use crate::bodies::body::Singular;
 use crate::numbers::scalar::Scalar;
 
 /// The reciprocal of the divisor of an unknown, where it depends on the configuration, given the
-/// largest of the terms it was summed from.
+/// largest of the terms of its sum.
 ///
 /// # Errors
-/// [`Singular`] if it is zero to [`Singular::TOLERANCE`] of that term in units of the scalar's
-/// precision, or not a number.
+/// [`Singular`] if it is NaN, or zero to [`Singular::TOLERANCE`] of that term in units of the
+/// scalar's precision.
 #[inline(always)]
 pub fn reciprocal<T: Scalar>(unknown: &'static str, divisor: T, scale: T) -> Result<T, Singular> {
     let tolerance = Singular::TOLERANCE / f64::EPSILON * T::EPSILON;
@@ -26,8 +26,8 @@ pub fn reciprocal<T: Scalar>(unknown: &'static str, divisor: T, scale: T) -> Res
     Ok(divisor.constant(1.0, 1.0) / divisor)
 }
 
-/// The same where there is no way to return an error, of each number for itself: where the divisor
-/// is nothing but rounding, what is computed with it is not a number.
+/// The same where no error can be returned, for each number separately: NaN if the divisor is
+/// nothing but rounding.
 #[inline(always)]
 #[must_use]
 pub fn determined<T: Scalar>(divisor: T, scale: T) -> T {
@@ -41,7 +41,7 @@ pub fn determined<T: Scalar>(divisor: T, scale: T) -> T {
     )
 }
 
-/// What is positive, as a mass is; where it is not, it is not a number.
+/// A positive quantity, such as a mass; NaN if it is not positive.
 #[inline(always)]
 #[must_use]
 pub fn positive<T: Scalar>(value: T) -> T {

@@ -1,5 +1,5 @@
-//! How far it is to the constraints, and the way back: Newton's method in the metric of the kinetic
-//! energy.
+//! The distance to the constraints, and the correction: Newton's method in the metric of the
+//! kinetic energy.
 
 use crate::bodies::body::RigidBody;
 use crate::bodies::constrained::Inconsistent;
@@ -7,7 +7,7 @@ use crate::state::State;
 
 /// A body whose motion is kept to `N` constraints.
 pub trait Kept<const N: usize>: RigidBody {
-    /// They, in a state.
+    /// The constraints in a state.
     fn rows(
         &self,
         time: Self::Scalar,
@@ -16,12 +16,12 @@ pub trait Kept<const N: usize>: RigidBody {
     ) -> [Row<<Self::State as State>::Rate, N>; N];
 }
 
-/// One constraint in one state, as generated code tells of it.
+/// One constraint in one state, as generated code reports it.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<R, const N: usize> {
     /// Its name.
     pub name: &'static str,
-    /// Its value, and the size of the terms it was summed from.
+    /// Its value, and the size of the terms of its sum.
     pub position: Option<(f64, f64)>,
     /// Its rate, likewise.
     pub velocity: (f64, f64),
@@ -31,22 +31,22 @@ pub struct Row<R, const N: usize> {
     pub push: R,
     /// Its row of `A M⁻¹ Aᵀ`.
     pub coupling: [f64; N],
-    /// Whether others keep it, wherever all hold.
+    /// Whether it follows from the others wherever all hold.
     pub follows: bool,
 }
 
-/// The value of a constraint and its rate, and of each the size that it may have in such a state.
+/// The value of a constraint and its rate, each with the size that it may have in such a state.
 #[derive(Clone, Copy, Debug)]
 pub struct Size {
     /// Its name.
     pub name: &'static str,
-    /// None if it is one of velocities.
+    /// None for a velocity constraint.
     pub position: Option<(f64, f64)>,
-    /// Of a constraint of velocities, its value.
+    /// For a velocity constraint, its value.
     pub velocity: (f64, f64),
 }
 
-/// Whether all values are rounding.
+/// Checks that all values are rounding.
 ///
 /// # Errors
 /// [`Inconsistent`] with the one that is furthest from it; positions come first.
@@ -84,7 +84,7 @@ pub fn check(sizes: &[Size]) -> Result<(), Inconsistent> {
     Ok(())
 }
 
-/// A value as a fraction of its size; nothing is nothing at any.
+/// A value as a fraction of its size; zero is zero at any size.
 fn relative(value: f64, size: f64) -> f64 {
     if value == 0.0 {
         0.0
@@ -93,13 +93,13 @@ fn relative(value: f64, size: f64) -> f64 {
     }
 }
 
-/// Steps of Newton's method: from an error of the size of the body it takes about six.
+/// The limit of Newton steps: an error of the size of the body takes about six.
 const STEPS: usize = 20;
 
-/// So many of them may leave more than half of what they begin with.
+/// The number of steps that may leave more than half of their initial error.
 const SLOW: usize = 4;
 
-/// Moves a state to its constraints; `rows` evaluates them.
+/// Projects a state onto its constraints; `rows` evaluates them.
 ///
 /// # Errors
 /// [`Inconsistent`].
@@ -123,18 +123,18 @@ pub fn project<S: State<Scalar = f64>, const N: usize>(
     newton(state, &rows, Pace::Velocity, velocity, |row| row.push)
 }
 
-/// How Newton's method goes on.
+/// The mode of Newton's method.
 #[derive(Clone, Copy, PartialEq)]
 enum Pace {
     Full,
-    /// Shorter far from the constraints, where rows that depend on each other on these contradict
-    /// each other.
+    /// Shorter steps far from the constraints, where rows that depend on each other on the
+    /// constraints contradict each other.
     Damped,
-    /// Velocities, which enter linearly.
+    /// Velocities, which are linear.
     Velocity,
 }
 
-/// Steps until nothing is left but rounding, or no step makes it less.
+/// Takes steps until the error is rounding, or no step reduces it.
 fn newton<S: State<Scalar = f64>, const N: usize>(
     state: &mut S,
     rows: &impl Fn(&S) -> [Row<S::Rate, N>; N],
@@ -142,7 +142,7 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
     measured: impl Fn(&Row<S::Rate, N>) -> Option<(f64, f64)>,
     direction: impl Fn(&Row<S::Rate, N>) -> S::Rate,
 ) -> Result<(), Inconsistent> {
-    // terms vanish together with what they sum to: the largest seen counts
+    // terms may vanish together with their sum: the largest size so far counts
     let mut sizes = [0.0_f64; N];
     let (mut previous, mut slow) = (f64::INFINITY, 0);
     let (steps, most) = match pace {
@@ -198,7 +198,7 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
     Ok(())
 }
 
-/// Whether all values are rounding beside the motion that the largest terms of any row amount to:
+/// Whether all values are rounding, compared with the motion given by the largest terms of any row:
 /// all terms of one row may vanish where those of another do not.
 fn is_rounding<R, const N: usize>(
     system: &[Row<R, N>; N],
@@ -206,7 +206,7 @@ fn is_rounding<R, const N: usize>(
     sizes: &[f64; N],
 ) -> bool {
     let coupling = |own: usize| system[own].coupling[own];
-    // twice the kinetic energy, or of places its like, of a motion across one row alone
+    // twice the kinetic energy, or the equivalent for positions, of a motion across one row alone
     let across = |own: usize| sizes[own] * sizes[own] / coupling(own);
     let all = (0..N).filter(|own| coupling(*own) > 0.0);
     let most = all.map(across).fold(0.0, f64::max);
@@ -215,10 +215,10 @@ fn is_rounding<R, const N: usize>(
     all.all(|(own, value)| value.is_none_or(|value| value.abs() <= allowed(own)))
 }
 
-/// What couplings are for rows of the sizes that these have: one may be flat where all hold.
+/// Typical couplings for rows of these sizes: one may be flat where all hold.
 fn natural<R, const N: usize>(system: &[Row<R, N>; N]) -> [f64; N] {
     let square = |row: &Row<R, N>| row.position.map_or(0.0, |(_, size)| size * size);
-    // terms that vanish together do not tell
+    // terms that vanish together give no size
     let most = system.iter().map(square).fold(0.0, f64::max);
     let largest = system
         .iter()
@@ -232,12 +232,12 @@ fn natural<R, const N: usize>(system: &[Row<R, N>; N]) -> [f64; N] {
     })
 }
 
-/// A row depends on those before it if this fraction of its square is left of it: an angle of a
-/// millionth, below which what is left of its value is rounding, or vanishes with the next steps.
+/// A row depends on those before it if at most this fraction of its square remains: an angle of a
+/// millionth, below which the remainder is rounding, or vanishes with the next steps.
 const DEPENDENT: f64 = 1e-12;
 
-/// `(A M⁻¹ Aᵀ + damping) λ = g` by elimination along the diagonal, which is positive; what depends on the rows
-/// before it in this state has no part of its own.
+/// Solves `(A M⁻¹ Aᵀ + damping) λ = g` by elimination along the diagonal, which is positive; a row
+/// that depends on those before it in this state gets no load.
 fn solve<R, const N: usize>(
     system: &[Row<R, N>; N],
     kept: [Option<f64>; N],
@@ -264,7 +264,7 @@ fn solve<R, const N: usize>(
     factors
 }
 
-/// Takes each row that is used, by its number and its divisor, from those behind it.
+/// Subtracts each used row, given by its index and its divisor, from those after it.
 fn eliminate<const N: usize>(
     matrix: &mut [[f64; N]; N],
     values: &mut [f64; N],
@@ -286,11 +286,11 @@ fn eliminate<const N: usize>(
     }
 }
 
-/// The same for the reason of a failure, which may end just before: an angle of a thousandth.
+/// The same for the reason of a failure, which may occur just before: an angle of a thousandth.
 const NEARLY_DEPENDENT: f64 = 1e-6;
 
-/// The first constraint that depends on those before it in this state, if fewer are independent here than
-/// wherever else all hold.
+/// The first constraint that depends on those before it in this state, if fewer are independent
+/// here than elsewhere where all hold.
 pub fn dependent<R, const N: usize>(system: &[Row<R, N>; N]) -> Option<&'static str> {
     let mut matrix: [[f64; N]; N] = core::array::from_fn(|row| system[row].coupling);
     let natural = natural(system);

@@ -1,10 +1,10 @@
-//! Tables and constants that stand in a description.
+//! Tables and constants of a description.
 
 use crate::numbers::scalar::Scalar;
 
-/// The value of a table: of each of its polynomials there is where it starts, and what the powers of
-/// the distance from there are multiplied by. The first one holds below its start, too. All are
-/// looked at, so that many numbers at once go the same way as each alone.
+/// The value of a table. Each of its polynomials is given by its start, and by the coefficients of
+/// the powers of the distance from there. The first one also holds below its start. All are
+/// evaluated, so that several numbers at once take the same path as each alone.
 #[inline(always)]
 #[must_use]
 #[allow(

@@ -11,39 +11,39 @@ use crate::mechanics::attitude::generic::kinematics;
 use crate::numbers::scalar::Scalar;
 
 /// A state as a list of coordinates: position, attitude or angle or axis, velocity, and their
-/// rates, those that there are, in this order; components x, y, z, of an attitude with the scalar
-/// last. Of a system: what comes before the rates, joint by joint, and then all rates; states of
-/// one's own are last.
+/// rates, as far as they exist, in this order; components x, y, z, for an attitude with the scalar
+/// last. For a system: all coordinates, joint by joint, and then all their rates; user-defined
+/// states are last.
 pub trait Coordinates: State<Scalar: Scalar> {
-    /// `[Scalar; COUNT]`, of a system a [`List`](super::List).
+    /// `[Scalar; COUNT]`, for a system a [`List`](super::List).
     type Array: Copy + Debug + Default + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
 
-    /// How many coordinates belong together: each group is of one unit. The second half of the
-    /// groups are the rates of the first; of a state of one's own, which has its rate from the
+    /// The sizes of groups of coordinates with the same unit. The second half of the
+    /// groups are the rates of the first. For a user-defined state, whose rate comes from the
     /// equations, the first is empty.
     const GROUPS: &'static [usize];
 
-    /// Where the coordinates of an attitude quaternion begin, and those of the angular velocity in
-    /// body axes, if there are such axes; of a system, if one joint alone has them.
+    /// The places of an attitude quaternion and of the angular velocity in body axes,
+    /// if there are such axes; for a system, if a single joint has them.
     const AXES: Option<[usize; 2]> = None;
 
     /// The coordinates of this state.
     fn coordinates(&self) -> Self::Array;
 
-    /// The state with these coordinates, as they are: see [`keep`](Self::keep).
+    /// The state with these coordinates, unchanged: see [`keep`](Self::keep).
     fn from_coordinates(coordinates: &Self::Array) -> Self;
 
     /// The derivatives of the coordinates with respect to time, given the acceleration in this
-    /// state: of an attitude q the components of `q (0, ω) / 2`.
+    /// state; for an attitude q the components of `q (0, ω) / 2`.
     fn rates(&self, acceleration: &Self::Acceleration) -> Self::Array;
 
     /// Corrects a small change of coordinates, so that attitude and axis stay unit to rounding, and
-    /// the rate of an axis across it.
+    /// the rate of an axis perpendicular to it.
     #[inline(always)]
     fn keep(_coordinates: &Self::Array, _change: &mut Self::Array) {}
 }
 
-/// The next numbers of a list, so many as belong together.
+/// The next numbers of a list, as many as a group has.
 #[inline(always)]
 pub(crate) fn group<'l, T>(list: &mut &'l [T], count: usize) -> &'l [T] {
     let (group, rest) = list.split_at_checked(count).unwrap_or((*list, &[]));
@@ -51,8 +51,8 @@ pub(crate) fn group<'l, T>(list: &mut &'l [T], count: usize) -> &'l [T] {
     group
 }
 
-/// The lists: the fields of a state one after another, its rates, and which of its coordinates are
-/// a unit vector.
+/// Implements the lists: the fields of a state one after another, its rates, and which of its
+/// coordinates are a unit vector.
 macro_rules! plain {
     ($(
         $state:ident: $count:literal, $groups:expr,
@@ -230,7 +230,7 @@ fn shorten<T: Scalar>(vector: &[T], change: &mut [T]) {
     }
 }
 
-/// Takes from a change of the rate of a unit vector what is along that vector.
+/// Removes the component along a unit vector from a change of its rate.
 #[inline(always)]
 fn level<T: Scalar>(coordinates: &[T], change: &mut [T], unit: Range<usize>, rate: Range<usize>) {
     let mut along = T::default();

@@ -1,4 +1,4 @@
-//! The state of a body that slides along a fixed axis and turns about it.
+//! The state of a body that slides along a fixed axis and rotates about it.
 
 use nalgebra::Vector4;
 #[cfg(feature = "serde")]
@@ -9,7 +9,7 @@ use super::finite;
 use super::space::State;
 use crate::numbers::scalar::Scalar;
 
-/// State of what slides along an axis and turns about it, two degrees of freedom.
+/// State of a body that slides along an axis and rotates about it, two degrees of freedom.
 ///
 /// ```
 /// use newton_euler::prelude::*;
@@ -27,7 +27,7 @@ use crate::numbers::scalar::Scalar;
     serde(bound(deserialize = "T: Scalar + Deserialize<'de>"))
 )]
 pub struct Cylinder<T: Scalar> {
-    /// How far it is along the axis \[m\].
+    /// Position along the axis \[m\].
     #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::scalar"))]
     pub position: T,
     /// Right-handed about the axis, not wrapped \[rad\].

@@ -1,4 +1,4 @@
-//! Coordinates and rates as they are read: finite, or refused.
+//! Checks of coordinates and rates on reading: finite, or refused.
 
 use nalgebra::SVector;
 use serde::{Deserialize, Deserializer, de::Error};
@@ -24,7 +24,7 @@ where
     Ok(vector)
 }
 
-/// Why it is refused.
+/// The reason for the refusal.
 pub(crate) struct NotFinite(f64);
 
 impl core::fmt::Display for NotFinite {

@@ -1,4 +1,4 @@
-//! The state of a body that turns about a fixed axis.
+//! The state of a body that rotates about a fixed axis.
 
 use nalgebra::Vector2;
 #[cfg(feature = "serde")]

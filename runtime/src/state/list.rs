@@ -1,4 +1,4 @@
-//! Numbers one after another, as many as there are.
+//! Lists of numbers of any length.
 
 use core::ops::{Add, Mul, Sub};
 

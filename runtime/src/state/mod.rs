@@ -1,4 +1,4 @@
-//! States of a rigid body and how they move.
+//! States of a rigid body, and their motion.
 //!
 //! One struct for each kind of `motion`. In all of them `position` and `velocity` are those of the
 //! center of mass G in world axes \[m, m/s\], `attitude` takes body components to world components,
@@ -6,13 +6,13 @@
 //! to body x \[rad\], not wrapped. The default state is at rest at the origin, body axes along
 //! world axes.
 //!
-//! The state of a system of bodies is a struct with one of these for each joint, which is how the
-//! carried body is beside its carrier: positions and velocities are those of the joint's point of
+//! The state of a system of bodies is a struct with one of these for each joint. It describes the
+//! carried body relative to its carrier: positions and velocities are those of the joint's point of
 //! the carried body from its point of the carrier, in axes of the carrier; `attitude` takes
 //! components in axes of the carried body to those of its carrier, and `angular_velocity` is that
-//! of the carried body less that of its carrier, in axes of the carried body. What is along a
-//! direction is positive that way, and what is about it right-handed, both as the carried body sees
-//! it from its carrier.
+//! of the carried body minus that of its carrier, in axes of the carried body. Coordinates along a
+//! direction are positive that way, and those about it right-handed, both for the carried body
+//! relative to its carrier.
 
 mod coordinates;
 mod cylinder;
@@ -74,15 +74,15 @@ pub type Hinge = generic::Hinge<f64>;
 pub type Rod = generic::Rod<f64>;
 /// Acceleration of a [`Rod`].
 pub type RodAcceleration = generic::RodAcceleration<f64>;
-/// State of what slides along a direction, one degree of freedom; its acceleration is a scalar
-/// \[m/s²\].
+/// State of a body that slides along a direction, one degree of freedom; its acceleration is a
+/// scalar \[m/s²\].
 pub type Slide = generic::Slide<f64>;
-/// State of what slides along an axis and turns about it, two degrees of freedom.
+/// State of a body that slides along an axis and rotates about it, two degrees of freedom.
 pub type Cylinder = generic::Cylinder<f64>;
 /// Acceleration of a [`Cylinder`].
 pub type CylinderAcceleration = generic::CylinderAcceleration<f64>;
-/// State of what turns about two axes, one after another, two degrees of freedom; its acceleration
-/// has the second derivatives of both angles \[rad/s²\].
+/// State of a body that rotates about two axes in sequence, two degrees of freedom; its
+/// acceleration has the second derivatives of both angles \[rad/s²\].
 pub type Universal = generic::Universal<f64>;
 /// State of a system in which nothing moves by itself, without coordinates.
 pub type Still = generic::Still<f64>;

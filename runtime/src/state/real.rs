@@ -1,4 +1,4 @@
-//! A state of one's own, beside a motion: a scalar.
+//! A user-defined state: a scalar.
 
 use nalgebra::Vector1;
 
@@ -6,8 +6,8 @@ use super::coordinates::Coordinates;
 use super::space::State;
 use crate::numbers::scalar::Scalar;
 
-/// A scalar is a state that has a rate of its own, as the speed of a motor has: what is its
-/// acceleration to a motion.
+/// A scalar is a state with its own rate, such as the speed of a motor. This rate takes the place
+/// of the acceleration of a motion.
 ///
 /// ```
 /// use newton_euler::prelude::*;
@@ -31,7 +31,7 @@ impl<T: Scalar> State for T {
     }
 }
 
-/// It is a rate, of nothing that is a coordinate.
+/// It is a rate, but not of a coordinate.
 impl<T: Scalar> Coordinates for T {
     type Array = [T; 1];
     const GROUPS: &'static [usize] = &[0, 1];

@@ -1,7 +1,8 @@
 //! The state of a slender rod: five degrees of freedom.
 //!
-//! A rod has no moment of inertia about its axis, and turning about it is no motion. What is left
-//! of the attitude is the axis u, a point of the unit sphere, and its rate u̇, tangent there.
+//! A rod has no moment of inertia about its axis, and rotation about it is not modelled. What
+//! remains of the attitude is the axis u, a point of the unit sphere, and its rate u̇, tangent
+//! there.
 
 use nalgebra::{SVector, Unit, UnitQuaternion, UnitVector3, Vector3};
 #[cfg(feature = "serde")]
@@ -13,12 +14,12 @@ use crate::numbers::scalar::{Scalar, either};
 
 /// State of `motion: rod(axis)`, five degrees of freedom: |u| = 1 and u·u̇ = 0.
 ///
-/// By default the axis is along world x, that of a rod with J = (0, J, J) and body axes along world
+/// By default the axis is along world x, as for a rod with J = (0, J, J) and body axes along world
 /// axes.
 ///
 /// The five-dimensional sphere bundle is not a group, but rigid motions act on it: with w = u × u̇,
 /// the angular velocity without spin, (u, w) is a line in space with a moment about the origin, and
-/// a displacement turns and shifts it,
+/// a displacement rotates and shifts it,
 ///
 /// ```text
 /// u₁ = R u        u̇₁ = R u̇ + P V ü        R = exp ξ,  P = 1 - u₁ u₁ᵀ
@@ -27,8 +28,8 @@ use crate::numbers::scalar::{Scalar, either};
 ///
 /// This is the flow of a constant element (ξ, η) of the Lie algebra of rigid motions, η = -ü; the
 /// rate of a state has ξ = w. So methods on Lie groups keep their order, both conditions hold
-/// exactly but for rounding (which is removed at each displacement), and a free rod moves along its
-/// great circle without error.
+/// exactly except for rounding (which is removed at each displacement), and a free rod moves along
+/// its great circle without error.
 ///
 /// ```
 /// use newton_euler::prelude::*;
@@ -86,7 +87,7 @@ impl<T: Scalar> Default for Rod<T> {
 }
 
 impl<T: Scalar> Rod<T> {
-    /// w = u × u̇, the angular velocity in world axes, of a rod that does not spin \[rad/s\].
+    /// w = u × u̇, the angular velocity of a rod without spin, in world axes \[rad/s\].
     ///
     /// ```
     /// use newton_euler::prelude::*;
@@ -137,7 +138,7 @@ impl<T: Scalar> State for Rod<T> {
     }
 }
 
-/// What of a vector is perpendicular to a unit vector.
+/// The part of a vector perpendicular to a unit vector.
 #[inline(always)]
 fn perpendicular<T: Scalar>(vector: &Vector3<T>, unit: &Vector3<T>) -> Vector3<T> {
     vector - unit * dot(unit, vector)
@@ -157,7 +158,7 @@ fn cross<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> Vector3<T> {
     )
 }
 
-/// `v + (w s + q × s)`, `s = q × 2 v`: of a small turn, v is rounded once.
+/// `v + (w s + q × s)`, `s = q × 2 v`: for a small rotation, v is rounded once.
 #[inline(always)]
 fn turned<T: Scalar>(attitude: &UnitQuaternion<T>, vector: &Vector3<T>) -> Vector3<T> {
     let [x, y, z, w]: [T; 4] = attitude.as_ref().coords.into();
@@ -166,7 +167,7 @@ fn turned<T: Scalar>(attitude: &UnitQuaternion<T>, vector: &Vector3<T>) -> Vecto
     vector + (swing * w + cross(&q, &swing))
 }
 
-/// V of [`Rod`]: the mean of a vector over a turn, begun at the vector.
+/// V of [`Rod`]: the mean of a vector over a rotation that begins at the vector.
 #[inline(always)]
 fn averaged<T: Scalar>(vector: &Vector3<T>, turn: &Vector3<T>) -> Vector3<T> {
     let square = dot(turn, turn);
@@ -201,7 +202,7 @@ fn closed<T: Scalar>(square: T) -> [T; 2] {
     ]
 }
 
-/// A rod as it is serialised, with the axis as a plain vector, checked on reading.
+/// A rod in serialized form, with the axis as a plain vector, checked on reading.
 #[cfg(feature = "serde")]
 mod written {
     use nalgebra::{Unit, Vector3};
@@ -210,9 +211,9 @@ mod written {
     use super::super::finite;
     use crate::numbers::scalar::Scalar;
 
-    /// How far |u|² may be from 1, and u·u̇ from 0 relative to |u̇|: as for attitudes, nine printed
-    /// digits pass, single precision does not, and what passes is right to rounding after the first
-    /// step. It is kept as it was read.
+    /// The permitted deviation of |u|² from 1, and of u·u̇ from 0 relative to |u̇|. As for
+    /// attitudes, nine printed digits pass and single precision does not; accepted values are right
+    /// to rounding after the first step. They are kept as read.
     fn tolerance<T: Scalar>() -> f64 {
         f64::max(1e-9, 8.0 * T::EPSILON)
     }
@@ -241,7 +242,7 @@ mod written {
         }
     }
 
-    /// Why it is refused.
+    /// The reason for the refusal.
     #[derive(Clone, Copy)]
     pub(super) enum Invalid {
         Axis { square: f64, tolerance: f64 },

@@ -1,4 +1,4 @@
-//! The state of a body that turns, about G or about a point that is held.
+//! The state of a body that rotates about G or about a held point.
 
 use nalgebra::{UnitQuaternion, Vector3, Vector6};
 #[cfg(feature = "serde")]

@@ -9,7 +9,7 @@ use super::finite;
 use super::space::State;
 use crate::numbers::scalar::Scalar;
 
-/// State of what slides along a direction, one degree of freedom; its acceleration is a scalar
+/// State of a body that slides along a direction, one degree of freedom; its acceleration is a
 /// \[m/s²\].
 ///
 /// ```
@@ -26,7 +26,7 @@ use crate::numbers::scalar::Scalar;
     serde(bound(deserialize = "T: Scalar + Deserialize<'de>"))
 )]
 pub struct Slide<T: Scalar> {
-    /// How far it is along the direction \[m\].
+    /// Position along the direction \[m\].
     #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::scalar"))]
     pub position: T,
     /// Rate of the position \[m/s\].

@@ -2,9 +2,9 @@
 
 use core::ops::{Add, Mul, Sub};
 
-/// A point of the space of states: what an integrator needs to know of it.
+/// A point of the space of states, as an integrator needs it.
 ///
-/// That space is a product of straight lines and rotations, so states are not added: a state is
+/// That space is a product of straight lines and rotations, so states cannot be added. A state is
 /// moved by a displacement, an element of the tangent space at that state. Angular displacements
 /// are rotation vectors in body axes, as angular velocities are.
 ///
@@ -19,7 +19,7 @@ use core::ops::{Add, Mul, Sub};
 pub trait State: Clone {
     /// The number type.
     type Scalar;
-    /// The second derivatives of the coordinates, which with the state fix its rate.
+    /// The second derivatives of the coordinates; together with the state they determine its rate.
     type Acceleration;
     /// An element of the tangent space.
     type Rate: Copy

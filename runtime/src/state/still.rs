@@ -1,4 +1,4 @@
-//! The state of what does not move by itself.
+//! The state of a system that does not move by itself.
 
 use core::marker::PhantomData;
 
@@ -9,10 +9,10 @@ use super::list::List;
 use super::space::State;
 use crate::numbers::scalar::Scalar;
 
-/// State of a system in which nothing moves by itself, because all joints are welds or are driven:
-/// it has no coordinates, and its acceleration is `()`.
+/// State of a system in which nothing moves by itself, because all joints are welds or driven.
+/// It has no coordinates, and its acceleration is `()`.
 ///
-/// Such a system has loads, energy and momentum at a time, and no motion to integrate.
+/// Such a system has loads, energy and momentum at each time, and no motion to integrate.
 ///
 /// ```
 /// use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! The state of a body that does not turn.
+//! The state of a body that does not rotate.
 
 use nalgebra::{Vector3, Vector6};
 #[cfg(feature = "serde")]

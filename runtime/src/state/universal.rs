@@ -1,4 +1,4 @@
-//! The state of a body that turns about two axes, the second carried by the first.
+//! The state of a body that rotates about two axes, the second carried by the first.
 
 use nalgebra::{Vector2, Vector4};
 #[cfg(feature = "serde")]
@@ -9,8 +9,8 @@ use super::finite;
 use super::space::State;
 use crate::numbers::scalar::Scalar;
 
-/// State of what turns about two axes, one after another, two degrees of freedom; its acceleration
-/// has the second derivatives of both angles \[rad/s²\].
+/// State of a body that rotates about two axes in sequence, two degrees of freedom; its
+/// acceleration has the second derivatives of both angles \[rad/s²\].
 ///
 /// ```
 /// use newton_euler::prelude::*;
@@ -30,7 +30,8 @@ pub struct Universal<T: Scalar> {
     /// About the first axis, right-handed, not wrapped \[rad\].
     #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::scalar"))]
     pub angle_1: T,
-    /// About the second axis, which turns with the first angle, right-handed, not wrapped \[rad\].
+    /// About the second axis, which rotates with the first angle, right-handed, not wrapped
+    /// \[rad\].
     #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::scalar"))]
     pub angle_2: T,
     /// Rate of the first angle \[rad/s\].

@@ -1,10 +1,10 @@
-//! Multiplying and adding, by the instructions that the processor has.
+//! Multiplication and addition, by the instructions of the processor.
 
 /// Many products at once.
 ///
-/// A value of a type is the proof that its instructions are there.
+/// A value of such a type proves that its instructions are available.
 pub trait Arithmetic: Copy {
-    /// `sums + left right`, of each.
+    /// `sums + left right`, element by element.
     #[must_use]
     fn multiply_add<const COUNT: usize>(
         self,
@@ -14,7 +14,7 @@ pub trait Arithmetic: Copy {
     ) -> [f64; COUNT];
 }
 
-/// By what every processor of the target has: product and sum are rounded each.
+/// With the baseline instructions of the target: product and sum are rounded separately.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Plain;
 
@@ -88,7 +88,7 @@ mod x86 {
         }
     }
 
-    /// Those that fill no register.
+    /// The elements that fill no register.
     #[inline(always)]
     fn rest<const COUNT: usize>(
         mut sums: [f64; COUNT],

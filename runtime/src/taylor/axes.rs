@@ -1,4 +1,4 @@
-//! The axes that series are written in.
+//! The axes of series.
 
 use nalgebra::{Vector3, Vector4};
 
@@ -6,29 +6,29 @@ use crate::numbers::count::real;
 use crate::numbers::math;
 use crate::state::Coordinates;
 
-/// The axes of a body, or such that do not spin with it.
+/// The axes of a body, or axes that do not spin with it.
 ///
-/// Let a body be symmetric about e: its accelerations do not change if its axes are turned about e
+/// Let a body be symmetric about e: its accelerations do not change if its axes are rotated about e
 /// ([`Dependence::body`](crate::structure::Dependence::body)), and its spin s = ω·e is constant. In
-/// axes F that turn against it at -σ about e, with the components of the whole angular velocity in
-/// them, the motion is slower:
+/// axes F that rotate relative to it at -σ about e, with the components of the whole angular
+/// velocity in them, the motion is slower:
 ///
 /// ```text
 /// q_F' = q_F (0, ω_F - σ e) / 2        ω_F' = α(q_F, ω_F) + σ e × ω_F
 /// ```
 ///
-/// α is the same function as in the axes of the body. Since s is a number, products with it are no
-/// products of series. With F along the axes of the body at t₀,
+/// α is the same function as in body axes. Since s is a number, products with it are no
+/// products of series. With F along the body axes at t₀,
 ///
 /// ```text
 /// q = q_F exp(e σ (t - t₀) / 2)        ω = R_e(-σ (t - t₀)) ω_F
 /// ```
 ///
 /// while position and velocity are the same. In axes without spin, σ = s, the angular velocity of a
-/// free body turns at `β = s J_e / J_t`, of the moments of inertia along e and across it; for σ =
-/// s - β it stands still, but the attitude turns faster. [`rigid_body!`](crate::rigid_body) takes
-/// σ = s - β / 2, halfway. Steps are the longest then or nearly so, of heavy tops flat and slender,
-/// fast and slow; without spin those of flat tops would be shorter than in the axes of the body.
+/// free body rotates at `β = s J_e / J_t`, with the moments of inertia along e and across it. For σ
+/// = s - β it is constant, but the attitude rotates faster. [`rigid_body!`](crate::rigid_body) uses
+/// σ = s - β / 2, halfway. Steps are then the longest or nearly so, for heavy tops flat and
+/// slender, fast and slow; without spin those of flat tops would be shorter than in body axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axes {
     begin: f64,
@@ -37,10 +37,10 @@ pub struct Axes {
 }
 
 impl Axes {
-    /// Those of the body.
+    /// The axes of the body.
     pub const BODY: Self = Self::despun(0.0, [0.0; 3], 0.0);
 
-    /// Those that are along the body's at the time `begin` \[s\], and against which it turns at σ =
+    /// Axes along the body's at the time `begin` \[s\], relative to which it rotates at σ =
     /// `spin` \[rad/s\] about `direction`, a unit vector in both.
     #[must_use]
     pub const fn despun(begin: f64, direction: [f64; 3], spin: f64) -> Self {
@@ -51,7 +51,7 @@ impl Axes {
         }
     }
 
-    /// The state that has these coordinates in these axes at a time \[s\].
+    /// The state with these coordinates in these axes at a time \[s\].
     #[inline]
     pub(crate) fn state<S: Coordinates<Scalar = f64>>(
         &self,
@@ -77,7 +77,7 @@ impl Axes {
         S::from_coordinates(&coordinates)
     }
 
-    /// Brings the series of a motion that begins along the axes of the body into these:
+    /// Transforms the series of a motion that begins along the body axes into these axes:
     ///
     /// ```text
     /// c[n] = Σ_j  Gʲ c_F[n - j] / j!        G: q -> q (0, σ e) / 2, ω -> -σ e × ω, all else to 0
@@ -105,8 +105,8 @@ impl Axes {
         }
     }
 
-    /// Brings the rate of the angular velocity into these, from that of the same coordinates in the
-    /// axes of the body: `+ σ e × ω_F`.
+    /// Transforms the rate of the angular velocity into these axes, from that of the same
+    /// coordinates in body axes: `+ σ e × ω_F`.
     #[inline(always)]
     pub(crate) fn turn_rates<S: Coordinates<Scalar = f64>>(
         &self,
@@ -123,14 +123,14 @@ impl Axes {
         }
     }
 
-    /// Where attitude and angular velocity are, if they are others than in the axes of the body.
+    /// The places of attitude and angular velocity, if these differ from those in body axes.
     #[inline(always)]
     fn turning<S: Coordinates>(&self) -> Option<[usize; 2]> {
         S::AXES.filter(|_| self.spin != 0.0)
     }
 }
 
-/// The attitude, the scalar last, and the angular velocity.
+/// The attitude, scalar last, and the angular velocity.
 #[inline(always)]
 fn read<S: Coordinates<Scalar = f64>>(
     coordinates: &S::Array,

@@ -2,10 +2,10 @@
 //!
 //! Where the equations of motion are smooth, the state is a power series in time. Its coefficients
 //! follow one from another: coefficient n of a coordinate is 1/n of coefficient n - 1 of its rate,
-//! and for each operation of the equations there is a rule for coefficient n of its result (A.
+//! and each operation of the equations has a rule for coefficient n of its result (A.
 //! Griewank, A. Walther, Evaluating Derivatives, SIAM 2008, chapter 13).
-//! [`rigid_body!`](crate::rigid_body) writes these rules out; [`integrate`](crate::integrate) takes
-//! steps with them, of any order and with the error that is asked for.
+//! [`rigid_body!`](crate::rigid_body) writes out these rules; [`integrate`](crate::integrate) takes
+//! steps with them, of any order and with a given error.
 
 use crate::bodies::body::RigidBody;
 use crate::state::Coordinates;
@@ -28,11 +28,11 @@ pub(crate) use series::{after, increment, slope};
     note = "write `outputs: [.., taylor]`"
 )]
 pub trait Taylor: RigidBody<Scalar = f64, State: Coordinates> {
-    /// What is needed on the way, to be used again: see [`Products`].
+    /// The reusable workspace: see [`Products`].
     type Products<A: Arithmetic, const N: usize>: From<A>;
 
-    /// The axes that [`expand`](Self::expand) sees a motion in, from a state on, where they are
-    /// along those of the body: for all of it.
+    /// The axes in which [`expand`](Self::expand) works, from a state on, where they are
+    /// along the body axes, for the whole motion.
     #[inline]
     #[must_use]
     fn axes(&self, _time: f64, _state: &Self::State) -> Axes {
@@ -42,8 +42,8 @@ pub trait Taylor: RigidBody<Scalar = f64, State: Coordinates> {
     /// Writes the first N coefficients of the motion through `state` at `time`, with the input
     /// held, or moving from there on; N is at least 2.
     ///
-    /// State and series are in [`axes`](Self::axes) that may not be those of the body. `products`
-    /// may be in any state.
+    /// State and series are in [`axes`](Self::axes) that may differ from the body axes. `products`
+    /// may have any content.
     fn expand<A: Arithmetic, const N: usize>(
         &self,
         time: f64,

@@ -1,12 +1,12 @@
-//! Sums of products of series, many at once.
+//! Many sums of products of series at once.
 
 use super::Arithmetic;
 
-/// Terms of sums of products of series of N coefficients; of all sums together there are WIDTH
+/// Terms of sums of products of series with N coefficients; all sums together have WIDTH
 /// products.
 ///
-/// The series lie side by side, so that a register holds the same coefficient of several of them:
-/// of sums from place FIRST on in LANES lanes, with COUNT products each,
+/// The series lie side by side, so a register holds the same coefficient of several of them.
+/// For sums from place FIRST on in LANES lanes, with COUNT products each,
 ///
 /// ```text
 /// sum[k] = Σ_p weight[p][k] Σ_j left[j][p][k] right[n - j][p][k],   j = 0 .. n
@@ -22,7 +22,7 @@ pub struct Products<A, const WIDTH: usize, const N: usize> {
     right: [Aligned<WIDTH>; N],
 }
 
-/// The same coefficient of several series; registers are read fastest where they are aligned.
+/// The same coefficient of several series, aligned for fast reading of registers.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Aligned<const WIDTH: usize>([f64; WIDTH]);
@@ -39,7 +39,7 @@ impl<A, const WIDTH: usize, const N: usize> From<A> for Products<A, WIDTH, N> {
     }
 }
 
-// What runs by an arithmetic is written in loops: a closure that is not inlined would not be
+// Code for an arithmetic is written in loops: a closure that is not inlined would not be
 // compiled for its instructions.
 impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
     /// The weights and the first coefficients of sums: `(weight, left, right)`.
@@ -58,8 +58,8 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
         }
     }
 
-    /// Terms n of sums, by coefficients n of their factors. One that is not known yet is given as
-    /// zero, and later by [`complete`](Self::complete): its partner begins with zero.
+    /// Terms n of sums, by coefficients n of their factors. A coefficient that is not known yet is
+    /// given as zero, and later by [`complete`](Self::complete): its partner begins with zero.
     #[inline(always)]
     pub fn terms<const FIRST: usize, const LANES: usize, const COUNT: usize>(
         &mut self,
@@ -76,8 +76,8 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
             }
             left[p] = arithmetic.multiply_add([0.0; LANES], left[p], self.weights.part(place(p)));
         }
-        // first what was there before the last order, while that is still computed; then what is of
-        // it
+        // first the terms from before the last order, while that order is still computed; then
+        // those of the last order
         let mut terms = [[0.0; LANES]; COUNT];
         let early = 2..n.max(3) - 1;
         let right_rows = self.right[early.clone()].iter().rev();
@@ -95,7 +95,7 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
                 (self.left[0].part(place(p)), self.right[0].part(place(p)));
             terms[p] = arithmetic.multiply_add(terms[p], first_left, right[p]);
             terms[p] = arithmetic.multiply_add(terms[p], left[p], first_right);
-            // out of an operation a row is stored as a whole, and can be read again at once
+            // an operation stores a row as a whole, so it can be read again at once
             let right = self.times(right[p], 1.0);
             self.left[n].0[place(p)..place(p) + LANES].copy_from_slice(&left[p]);
             self.right[n].0[place(p)..place(p) + LANES].copy_from_slice(&right);
@@ -107,7 +107,7 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
         total
     }
 
-    /// Sums, and what is linear in coefficients of the same order: `(weight, coefficient)`.
+    /// Adds terms that are linear in coefficients of the same order: `(weight, coefficient)`.
     #[inline(always)]
     pub fn plus<const LANES: usize, const COUNT: usize>(
         &self,
@@ -126,8 +126,8 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
         sums
     }
 
-    /// Numbers times a factor, side by side in registers: what an operation leaves stays there from
-    /// one order to the next.
+    /// Numbers times a factor, side by side in registers: the result of an operation stays in place
+    /// from one order to the next.
     #[inline(always)]
     pub fn times<const COUNT: usize>(&self, numbers: [f64; COUNT], factor: f64) -> [f64; COUNT] {
         let zeros = [0.0; COUNT];
@@ -135,8 +135,8 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
             .multiply_add(zeros, numbers, [factor; COUNT])
     }
 
-    /// Adds the products of two rows, to a sum for each, so that additions do not wait for one
-    /// another.
+    /// Adds the products of two rows to separate sums, so that additions do not wait for each
+    /// other.
     #[inline(always)]
     fn add<const FIRST: usize, const LANES: usize, const COUNT: usize>(
         &self,
@@ -151,7 +151,7 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
         }
     }
 
-    /// Coefficients n that were not known before, by the places of their products.
+    /// Adds coefficients n that were not known before, by the places of their products.
     #[inline(always)]
     pub fn complete(&mut self, n: usize, left: &[(usize, f64)], right: &[(usize, f64)]) {
         for (place, value) in left {

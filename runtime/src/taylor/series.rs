@@ -26,20 +26,20 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
         &self.coefficients
     }
 
-    /// The state so long after the start \[s\].
+    /// The state at this time after the start \[s\].
     #[inline]
     #[must_use]
     pub fn after(&self, time: f64) -> S {
         S::from_coordinates(&after::<S>(&self.coefficients, time))
     }
 
-    /// Whether all of it are numbers.
+    /// Whether all coefficients are finite.
     pub(crate) fn is_finite(&self) -> bool {
         let mut rows = self.coefficients.iter();
         rows.all(|row| row.as_ref().iter().all(|number| number.is_finite()))
     }
 
-    /// Brings series from other axes into those of the body.
+    /// Transforms series from other axes into body axes.
     pub(crate) fn turn(&mut self, axes: &Axes) {
         axes.turn::<S, N>(&mut self.coefficients);
     }
@@ -50,8 +50,8 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
         self.coefficients[0] = state.coordinates();
     }
 
-    /// Coefficient n of the coordinates, and what fills their last register, from coefficient n - 1
-    /// of their rates.
+    /// Coefficient n of the coordinates, and the padding of their last register, from coefficient n
+    /// - 1 of their rates.
     #[inline(always)]
     pub fn extend<A: Arithmetic, const WIDTH: usize, const COUNT: usize>(
         &mut self,
@@ -66,7 +66,7 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
     }
 }
 
-/// The coordinates on a polynomial, so long after its start.
+/// The coordinates on a polynomial, at this time after its start.
 #[inline(always)]
 pub(crate) fn after<S: Coordinates<Scalar = f64>>(
     coefficients: &[S::Array],
@@ -81,7 +81,7 @@ pub(crate) fn after<S: Coordinates<Scalar = f64>>(
     coordinates
 }
 
-/// A polynomial, by Horner's rule for even and odd powers apart: neither waits for the other.
+/// A polynomial, by Horner's rule for even and odd powers separately: neither waits for the other.
 #[inline(always)]
 fn evaluate<S: Coordinates<Scalar = f64>>(coefficients: &[S::Array], time: f64) -> S::Array {
     let square = time * time;
@@ -101,7 +101,7 @@ fn evaluate<S: Coordinates<Scalar = f64>>(coefficients: &[S::Array], time: f64) 
     even
 }
 
-/// How fast coordinates change on a polynomial, from a place in their list on; zero before it. As
+/// The rates of coordinates on a polynomial, from a place in their list on; zero before it. As
 /// in [`evaluate`], neither half waits for the other.
 #[inline(always)]
 pub(crate) fn slope<S: Coordinates<Scalar = f64>, const N: usize>(
@@ -131,7 +131,7 @@ pub(crate) fn slope<S: Coordinates<Scalar = f64>, const N: usize>(
     even
 }
 
-/// What a polynomial adds to its start.
+/// The increment of a polynomial over its start.
 #[inline(always)]
 pub(crate) fn increment<S: Coordinates<Scalar = f64>>(
     coefficients: &[S::Array],

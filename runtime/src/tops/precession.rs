@@ -1,4 +1,4 @@
-//! Steady precession: a body that spins about an axis of its own while that axis turns about one
+//! Steady precession: a body spins about its own axis while that axis rotates about one
 //! fixed in space.
 //!
 //! Both rates are constant, and attitude and angular velocity are functions of time in closed form,
@@ -9,8 +9,8 @@
 //!
 //! with n the axis of precession in the world, Ω its rate, e₃ the body's third axis and ψ̇ the spin
 //! relative to the precessing frame. For n = z and q(0) = `q_x(θ)` this is
-//! `q_z(Ω t) q_x(θ) q_z(ψ̇ t)`. No angles are used, so nothing is special where the two axes
-//! coincide. What moves like this: [`top`](crate::top).
+//! `q_z(Ω t) q_x(θ) q_z(ψ̇ t)`. No angles are used, so coinciding axes are no special case.
+//! Examples: [`top`](crate::top).
 
 use nalgebra::{Quaternion, UnitQuaternion, UnitVector3, Vector3};
 
@@ -21,8 +21,8 @@ use crate::state::Rotation;
 
 /// A steady precession, as a function of time.
 ///
-/// Phases are formed in twice the precision and reduced exactly: their error stays near 1e-16 rad,
-/// for rates known so well, however long the motion lasts.
+/// Phases are formed in twice the precision and reduced exactly. Their error stays near 1e-16 rad
+/// however long the motion lasts, if the rates are exact.
 ///
 /// ```
 /// use core::f64::consts::TAU;
@@ -64,7 +64,7 @@ impl Precession {
         Self::of(start, axis.into_inner(), rate.into(), spin.into())
     }
 
-    /// The axis is a unit vector, or zero if the rate is.
+    /// The axis is a unit vector, or zero if the rate is zero.
     pub(crate) fn of(
         start: UnitQuaternion<f64>,
         axis: Vector3<f64>,
@@ -134,7 +134,7 @@ impl Precession {
     }
 }
 
-/// The unit quaternion of a turn by this angle about a unit vector.
+/// The unit quaternion of a rotation by this angle about a unit vector.
 fn turn(axis: &Vector3<f64>, angle: Twofold) -> Quaternion<f64> {
     let (sine, cosine) = angle.scaled(-1).sin_cos();
     Quaternion::from_parts(cosine, axis * sine)

@@ -34,9 +34,9 @@ mod equations_of_Glider {
         pub drag: f64,
     }
     impl Glider {
-        /// The equations of motion, as they are evaluated.
+        /// The equations of motion, as evaluated.
         pub const EQUATIONS: &str = "# once, in the constructor\nfrom_drag = 25.0 * drag\nfrom_drag_1 = 20.0 * drag\nfrom_drag_2 = -20.0 * drag\nfrom_drag_3 = -25.0 * drag\n# at every evaluation\nnorm = sqrt(wx * wx + wy * wy + wz * wz)\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = -0.25 * wy\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = -(from_drag * (wx * norm) + 49.03325 * (qy * qz + qw * qx) + wz * precession)\nangular_y = 39.2266 * (qx * qz - qw * qy) - from_drag_1 * (wy * norm)\nangular_z = wx * precession - from_drag * (wz * norm)";
-        /// What they cost, by function and stage.
+        /// Their operation counts, by function and stage.
         pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
             ::newton_euler::private::Operations::parameter("new", [4, 0, 0, 0, 0, 0]),
             ::newton_euler::private::Operations::state(
@@ -44,7 +44,7 @@ mod equations_of_Glider {
                 [18, 8, 0, 1, 0, 0],
             ),
         ];
-        /// What they do not contain, and why.
+        /// The terms that were left out, and why.
         pub const SKIPPED: &[&str] = &[
             "the force balance: the reaction of the support has no moment about it",
             "products of inertia: the axes are principal",
@@ -52,10 +52,10 @@ mod equations_of_Glider {
             "two rows of the rotation: what turns is along z in world axes",
             "energy, momentum, balance: not in `outputs`",
         ];
-        /// Checks the parameters, and computes what depends on them alone.
+        /// Checks the parameters, and computes everything that depends on them alone.
         ///
         /// # Errors
-        /// A parameter is not finite, or no body has the mass or inertia they make.
+        /// A parameter is not finite, or no body can have the resulting mass or inertia.
         pub fn new(
             params: GliderParams,
         ) -> ::core::result::Result<Self, ::newton_euler::private::InvalidBody> {
@@ -81,7 +81,7 @@ mod equations_of_Glider {
                 from_drag_3,
             })
         }
-        /// The parameters this body was built from.
+        /// The parameters of this body.
         #[must_use]
         pub fn params(&self) -> &GliderParams {
             &self.params

@@ -32,9 +32,9 @@ mod equations_of_Gyroscope {
         pub across: f64,
     }
     impl Gyroscope {
-        /// The equations of motion, as they are evaluated.
+        /// The equations of motion, as evaluated.
         pub const EQUATIONS: &str = "# once, in the constructor\ninertia_about_support_xx = 0.0005 + across\nfrom_rotor_across = rotor / (rotor + 2.0 * inertia_about_support_xx - rotor)\ncoupling_x = (across - rotor + 0.0005) / inertia_about_support_xx\nfrom_across = 0.196133 / inertia_about_support_xx\nfrom_across_1 = -0.196133 / inertia_about_support_xx\nfrom_rotor_across_1 = 1.0 - from_rotor_across\n# at every evaluation\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = coupling_x * wz\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = wy * precession + from_across * (qy * qz + qw * qx)\nangular_y = from_across_1 * (qx * qz - qw * qy) - wx * precession\nangular_z = 0.0";
-        /// What they cost, by function and stage.
+        /// Their operation counts, by function and stage.
         pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
             ::newton_euler::private::Operations::parameter("new", [1, 6, 4, 0, 0, 0]),
             ::newton_euler::private::Operations::state(
@@ -42,7 +42,7 @@ mod equations_of_Gyroscope {
                 [9, 4, 0, 0, 0, 0],
             ),
         ];
-        /// What they do not contain, and why.
+        /// The terms that were left out, and why.
         pub const SKIPPED: &[&str] = &[
             "the force balance: the reaction of the support has no moment about it",
             "products of inertia: the axes are principal",
@@ -51,10 +51,10 @@ mod equations_of_Gyroscope {
             "two rows of the rotation: what turns is along z in world axes",
             "energy, momentum, balance: not in `outputs`",
         ];
-        /// Checks the parameters, and computes what depends on them alone.
+        /// Checks the parameters, and computes everything that depends on them alone.
         ///
         /// # Errors
-        /// A parameter is not finite, or no body has the mass or inertia they make.
+        /// A parameter is not finite, or no body can have the resulting mass or inertia.
         pub fn new(
             params: GyroscopeParams,
         ) -> ::core::result::Result<Self, ::newton_euler::private::InvalidBody> {
@@ -95,7 +95,7 @@ mod equations_of_Gyroscope {
                 from_rotor_across_1,
             })
         }
-        /// The parameters this body was built from.
+        /// The parameters of this body.
         #[must_use]
         pub fn params(&self) -> &GyroscopeParams {
             &self.params

@@ -30,9 +30,9 @@ mod equations_of_Plank {
         pub length: f64,
     }
     impl Plank {
-        /// The equations of motion, as they are evaluated.
+        /// The equations of motion, as evaluated.
         pub const EQUATIONS: &str = "# once, in the constructor\nlength_squared = length * length\ninertia = 0.3333333333333333 * length_squared\nfrom_length = 0.16666666666666666 * length_squared\n# at every evaluation\nlinear_x = 0.0\nlinear_y = -9.80665\nangular = 0.0";
-        /// What they cost, by function and stage.
+        /// Their operation counts, by function and stage.
         pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
             ::newton_euler::private::Operations::parameter("new", [3, 0, 0, 0, 0, 0]),
             ::newton_euler::private::Operations::state(
@@ -60,17 +60,17 @@ mod equations_of_Plank {
                 [1, 0, 0, 0, 0, 0],
             ),
         ];
-        /// What they do not contain, and why.
+        /// The terms that were left out, and why.
         pub const SKIPPED: &[&str] = &[
             "three equations out of the plane: the motion is planar",
             "the moment of `weight`: it acts at G",
             "position, velocity, attitude, angular velocity: the accelerations do not depend on them",
             "balance: not in `outputs`",
         ];
-        /// Checks the parameters, and computes what depends on them alone.
+        /// Checks the parameters, and computes everything that depends on them alone.
         ///
         /// # Errors
-        /// A parameter is not finite, or no body has the mass or inertia they make.
+        /// A parameter is not finite, or no body can have the resulting mass or inertia.
         pub fn new(
             params: PlankParams,
         ) -> ::core::result::Result<Self, ::newton_euler::private::InvalidBody> {
@@ -89,7 +89,7 @@ mod equations_of_Plank {
                 from_length,
             })
         }
-        /// The parameters this body was built from.
+        /// The parameters of this body.
         #[must_use]
         pub fn params(&self) -> &PlankParams {
             &self.params

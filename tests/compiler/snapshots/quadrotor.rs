@@ -31,7 +31,7 @@ mod equations_of_Quadrotor {
         /// `drag_ratio` in m.
         pub drag_ratio: f64,
     }
-    /// What [`Quadrotor`] is given at each evaluation, in SI units.
+    /// Inputs of [`Quadrotor`] at each evaluation, in SI units.
     #[allow(clippy::struct_field_names)]
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
     pub struct QuadrotorInput {
@@ -45,9 +45,9 @@ mod equations_of_Quadrotor {
         pub thrust_4: f64,
     }
     impl Quadrotor {
-        /// The equations of motion, as they are evaluated.
+        /// The equations of motion, as evaluated.
         pub const EQUATIONS: &str = "# once, in the constructor\nfrom_arm = 81.30081300813008 * arm\nfrom_drag_ratio = 44.642857142857146 * drag_ratio\n# at every evaluation\ntwist = thrust_1 - thrust_2 + thrust_3 - thrust_4\n# what is fixed in the body: sum of F / m, body axes\nspecific_force_z = 0.8333333333333334 * (thrust_1 + thrust_2 + thrust_3 + thrust_4)\ndoubled_z = 2.0 * specific_force_z\n# s = q x 2 v, to turn v: v + w s + q x s\nswing_x = qy * doubled_z\nminus_swing_y = qx * doubled_z\n# (1.3), world axes: a = sum of F / m\nlinear_x = qw * swing_x + qz * minus_swing_y\nlinear_y = qz * swing_x - qw * minus_swing_y\nlinear_z = specific_force_z - (qx * minus_swing_y + qy * swing_x) - 9.80665\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = -0.8211382113821138 * wz\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = wy * precession + from_arm * (thrust_2 - thrust_4)\nangular_y = from_arm * (thrust_3 - thrust_1) - wx * precession\nangular_z = from_drag_ratio * twist";
-        /// What they cost, by function and stage.
+        /// Their operation counts, by function and stage.
         pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
             ::newton_euler::private::Operations::parameter("new", [2, 0, 0, 0, 0, 0]),
             ::newton_euler::private::Operations::state(
@@ -55,7 +55,7 @@ mod equations_of_Quadrotor {
                 [16, 15, 0, 0, 0, 0],
             ),
         ];
-        /// What they do not contain, and why.
+        /// The terms that were left out, and why.
         pub const SKIPPED: &[&str] = &[
             "products of inertia: the axes are principal",
             "(w x J w)_z: the other two moments of inertia are equal",
@@ -64,10 +64,10 @@ mod equations_of_Quadrotor {
             "position, velocity: the accelerations do not depend on them",
             "energy, momentum, balance: not in `outputs`",
         ];
-        /// Checks the parameters, and computes what depends on them alone.
+        /// Checks the parameters, and computes everything that depends on them alone.
         ///
         /// # Errors
-        /// A parameter is not finite, or no body has the mass or inertia they make.
+        /// A parameter is not finite, or no body can have the resulting mass or inertia.
         pub fn new(
             params: QuadrotorParams,
         ) -> ::core::result::Result<Self, ::newton_euler::private::InvalidBody> {
@@ -86,7 +86,7 @@ mod equations_of_Quadrotor {
                 from_drag_ratio,
             })
         }
-        /// The parameters this body was built from.
+        /// The parameters of this body.
         #[must_use]
         pub fn params(&self) -> &QuadrotorParams {
             &self.params

@@ -30,9 +30,9 @@ mod equations_of_Top {
         pub length: T,
     }
     impl<T: ::newton_euler::private::Scalar> Top<T> {
-        /// The equations of motion, as they are evaluated.
+        /// The equations of motion, as evaluated.
         pub const EQUATIONS: &str = "# once, in the constructor\nproduct = 0.3 * (length * length)\ninertia_about_support_xx = 0.002 + product\ncoupling_x = (0.001 + product) / inertia_about_support_xx\nfrom_length = -5.88399 * length / inertia_about_support_xx\n# at every evaluation\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = coupling_x * wz\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = wy * precession - from_length * (qy * qz + qw * qx)\nangular_y = from_length * (qx * qz - qw * qy) - wx * precession\nangular_z = 0.0";
-        /// What they cost, by function and stage.
+        /// Their operation counts, by function and stage.
         pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
             ::newton_euler::private::Operations::parameter("new", [3, 2, 2, 0, 0, 0]),
             ::newton_euler::private::Operations::state(
@@ -40,7 +40,7 @@ mod equations_of_Top {
                 [9, 4, 0, 0, 0, 0],
             ),
         ];
-        /// What they do not contain, and why.
+        /// The terms that were left out, and why.
         pub const SKIPPED: &[&str] = &[
             "the force balance: the reaction of the support has no moment about it",
             "products of inertia: the axes are principal",
@@ -49,10 +49,10 @@ mod equations_of_Top {
             "two rows of the rotation: what turns is along z in world axes",
             "energy, momentum, balance: not in `outputs`",
         ];
-        /// Checks the parameters, and computes what depends on them alone.
+        /// Checks the parameters, and computes everything that depends on them alone.
         ///
         /// # Errors
-        /// A parameter is not finite, or no body has the mass or inertia they make.
+        /// A parameter is not finite, or no body can have the resulting mass or inertia.
         pub fn new(
             params: TopParams<T>,
         ) -> ::core::result::Result<Self, ::newton_euler::private::InvalidBody> {
@@ -75,7 +75,7 @@ mod equations_of_Top {
                 from_length,
             })
         }
-        /// The parameters this body was built from.
+        /// The parameters of this body.
         #[must_use]
         pub fn params(&self) -> &TopParams<T> {
             &self.params

@@ -31,9 +31,9 @@ mod equations_of_Towed {
         pub pull: f64,
     }
     impl Towed {
-        /// The equations of motion, as they are evaluated.
+        /// The equations of motion, as evaluated.
         pub const EQUATIONS: &str = "# once, in the constructor\n# (1.3), world axes: a = sum of F / m\nlinear_x = 0.08333333333333333 * pull\nfrom_pull = 0.25 * pull\nproduct = -0.05 * pull\nfrom_pull_1 = 0.05 * pull\nswing_rate = sqrt(hypot(product, - 0.25 * pull))\nhanging = atan2(product, from_pull)\n# at every evaluation\n(sine, cosine) = sin_cos(angle)\n# (1.4): w' = M / J\nangular = -(from_pull * sine + from_pull_1 * cosine)\nlinear_y = 0.0";
-        /// What they cost, by function and stage.
+        /// Their operation counts, by function and stage.
         pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
             ::newton_euler::private::Operations::parameter("new", [5, 0, 0, 1, 2, 0]),
             ::newton_euler::private::Operations::state(
@@ -41,16 +41,16 @@ mod equations_of_Towed {
                 [2, 1, 0, 0, 2, 0],
             ),
         ];
-        /// What they do not contain, and why.
+        /// The terms that were left out, and why.
         pub const SKIPPED: &[&str] = &[
             "three equations out of the plane: the motion is planar",
             "position, velocity, angular velocity: the accelerations do not depend on them",
             "energy, momentum, balance: not in `outputs`",
         ];
-        /// Checks the parameters, and computes what depends on them alone.
+        /// Checks the parameters, and computes everything that depends on them alone.
         ///
         /// # Errors
-        /// A parameter is not finite, or no body has the mass or inertia they make.
+        /// A parameter is not finite, or no body can have the resulting mass or inertia.
         pub fn new(
             params: TowedParams,
         ) -> ::core::result::Result<Self, ::newton_euler::private::InvalidBody> {
@@ -83,7 +83,7 @@ mod equations_of_Towed {
                 hanging,
             })
         }
-        /// The parameters this body was built from.
+        /// The parameters of this body.
         #[must_use]
         pub fn params(&self) -> &TowedParams {
             &self.params

@@ -1,5 +1,5 @@
-//! A block of code while it is written, and the names in it: the words of the description and of
-//! mechanics where there are some, and else what is computed.
+//! A block of code while it is written, and its names: words of the description and of
+//! mechanics if there are any, otherwise a description of the computation.
 
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -23,9 +23,9 @@ pub struct Block<'a> {
     pub taken: Names,
     pub noted: HashSet<&'static str>,
     pub reads: Vec<Source>,
-    /// Whether it is written for any scalar, whose constants are statements.
+    /// Whether it is written for any scalar, so that constants are statements.
     pub is_generic: bool,
-    /// The numbers that it has.
+    /// The numbers in it.
     pub numbers: RefCell<BTreeSet<Id>>,
 }
 
@@ -75,7 +75,7 @@ impl Block<'_> {
         self.unique(&wanted)
     }
 
-    /// A name made of what is computed.
+    /// A name that describes a computation.
     pub fn describe(&self, id: Id) -> String {
         let graph = &self.writer.work.graph;
         let operand = |id: Id| self.names.get(&id).map(ToString::to_string);
@@ -139,14 +139,14 @@ impl Block<'_> {
         tokens
     }
 
-    /// What the group of a name is, where its first member is computed.
+    /// The description of the group of a name, at its first member.
     pub fn note(&mut self, name: &Ident) -> Option<&'static str> {
         let (group, note) = self.writer.work.labels.note(&name.to_string())?;
         self.noted.insert(group).then_some(note)
     }
 }
 
-/// What a plain number is called as a constant of a generic body.
+/// The name of a plain number as a constant of a generic body.
 fn number_name(number: &Number) -> Option<&'static str> {
     let names = [
         (Number::ratio(-1, 1), "minus_one"),

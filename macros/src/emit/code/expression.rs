@@ -1,4 +1,4 @@
-//! Expressions of the graph as expressions of Rust, with the parentheses they need and no others.
+//! Expressions of the graph as Rust expressions, with the necessary parentheses only.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
@@ -31,12 +31,12 @@ impl Block<'_> {
         }
     }
 
-    /// An expression where anything may stand.
+    /// An expression in any position.
     pub fn value(&self, id: Id) -> TokenStream {
         self.expression(id, Precedence::Lowest)
     }
 
-    /// An expression where something binding as tightly as `outer` is expected.
+    /// An expression in a position that binds as tightly as `outer`.
     pub fn expression(&self, id: Id, outer: Precedence) -> TokenStream {
         let (tokens, precedence) = self.operand(id);
         if precedence < outer {
@@ -54,7 +54,7 @@ impl Block<'_> {
             return (quote!(self.#field), Precedence::Atom);
         }
         match self.writer.work.graph.node(id) {
-            // another name for what is a statement already
+            // another name for an existing statement
             Node::Quantity(inner) => self.operand(*inner),
             _ => self.operation(id),
         }
@@ -93,7 +93,7 @@ impl Block<'_> {
                 // alone on the right of a statement, or in parentheses
                 (quote!(if #condition { #a } else { #b }), Precedence::Lowest)
             }
-            // what has an infix operator is written above
+            // infix operators are handled above
             _ => (quote!(f64::NAN), Precedence::Atom),
         }
     }
@@ -103,7 +103,7 @@ impl Block<'_> {
         let graph = &self.writer.work.graph;
         let (a, operator, b, precedence, tighter) = match *graph.node(id) {
             Node::Negate(a) => match *graph.node(a) {
-                // -(x - y), written as it is read
+                // -(x - y), kept in this form for readability
                 Node::Subtract(x, y) if !self.names.contains_key(&a) => {
                     (y, quote!(-), x, Precedence::Sum, Precedence::Product)
                 }
@@ -141,7 +141,7 @@ impl Block<'_> {
         Some((quote!(#a #operator #b), precedence))
     }
 
-    /// A reciprocal, if its divisor is more than rounding.
+    /// A reciprocal, guarded against a divisor that is only rounding.
     fn guarded(&self, id: Id, divisor: Id, scale: Id) -> TokenStream {
         let private = &self.writer.shapes.private;
         let [divisor, scale] = [divisor, scale].map(|id| self.value(id));
@@ -153,7 +153,7 @@ impl Block<'_> {
         }
     }
 
-    /// Comparisons and choices of a generic body, which may be of several numbers at once.
+    /// Comparisons and choices of a generic body, which may apply to several numbers at once.
     fn choice_of_any_scalar(&self, id: Id) -> Option<(TokenStream, Precedence)> {
         let atom = |tokens: TokenStream| Some((tokens, Precedence::Atom));
         let infix = |a: Id, operator: TokenStream, b: Id| {
@@ -185,8 +185,8 @@ impl Block<'_> {
         }
     }
 
-    /// In a sum of which the order does not matter: what is known early stands last, and what is
-    /// itself a sum stands first, so that it needs no parentheses.
+    /// In a sum, whose order does not matter: terms known early stand last, and terms that are
+    /// themselves sums stand first, so that they need no parentheses.
     fn comes_second(&self, a: Id, b: Id) -> bool {
         let graph = &self.writer.work.graph;
         let is_sum = |id: Id| {
@@ -200,7 +200,7 @@ impl Block<'_> {
         }
     }
 
-    /// `Body.normal`: the unknown that a guarded reciprocal gives.
+    /// `Body.normal`: the unknown of a guarded reciprocal.
     fn unknown(&self, reciprocal: Id) -> String {
         let unknown = self.writer.work.labels.unknown(reciprocal);
         format!("{}.{unknown}", self.writer.outline.name)

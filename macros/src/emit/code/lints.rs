@@ -1,12 +1,12 @@
-//! What a user's lints would say of generated code, and what is permitted for it.
+//! Lints of the user that generated code would trigger, and the permissions for it.
 
 use std::f64::consts;
 
 use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 
-/// The permission for literals in `code` that happen to be near a constant of mathematics, which
-/// clippy would want to be written by its name; none if there is no such literal.
+/// The permission for literals in `code` that happen to be near a mathematical constant, which
+/// clippy would want by its name; none if there is no such literal.
 pub fn allow_constants(code: &TokenStream) -> Option<TokenStream> {
     has_constant(code.clone()).then(|| quote!(#[allow(clippy::approx_constant)]))
 }

@@ -1,4 +1,4 @@
-//! A generated method: what it computes, what it is given, and what is said of it.
+//! A generated method: its computation, its arguments, and its documentation.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -18,7 +18,7 @@ pub struct Method {
 }
 
 impl Method {
-    /// That of a description with mistakes, which is never run.
+    /// The method of an invalid description, which is never run.
     pub fn never() -> Self {
         Self {
             body: quote!(::core::unreachable!("the description has errors")),
@@ -26,7 +26,7 @@ impl Method {
         }
     }
 
-    /// Computes `outputs` and returns what `fill` makes of their values.
+    /// Computes `outputs` and returns the expression that `fill` makes of their values.
     pub fn write(
         writer: &Writer<'_>,
         outputs: &[Id],
@@ -50,8 +50,8 @@ impl Method {
         Ident::new(&format!("{underscore}{name}"), Span::mixed_site())
     }
 
-    /// Statements carry notes, which the compiler has no use for, and descriptions may compare for
-    /// equality and have numbers that have names elsewhere.
+    /// Statements carry notes, which rustc does not use. Descriptions may compare for
+    /// equality, and may contain numbers that have names elsewhere.
     pub fn lints(&self) -> TokenStream {
         let notes = self
             .facts

@@ -1,4 +1,4 @@
-//! Straight-line code: expressions of the graph as statements of Rust, in methods of a body.
+//! Straight-line code: expressions of the graph as Rust statements, in methods of a body.
 
 mod block;
 mod expression;

@@ -1,4 +1,4 @@
-//! Names in generated code beside those of the user.
+//! Names in generated code other than those of the user.
 
 use std::collections::HashMap;
 
@@ -7,18 +7,18 @@ use proc_macro2::{Ident, Span};
 /// The field of principal axes.
 pub const PRINCIPAL_AXES: &str = "principal_axes";
 
-/// The associated function that has what stands in the Rust of the user under this name.
+/// The associated function for a Rust item of the user with this name.
 pub fn given(word: &str) -> Ident {
     Ident::new(&format!("given_{word}"), Span::call_site())
 }
 
-/// A local of generated code: it does not see, and is not seen by, the names of the user.
+/// A local of generated code; hygiene separates it from the names of the user.
 pub fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
 }
 
-/// The name of a local after a name of the user's: in lower case, since a pattern `J` or `Some`
-/// would mean a constant, if there is one; and no keyword, which `Box` would become.
+/// The name of a local after a user's name: in lower case, because a pattern `J` or `Some`
+/// could match a constant; and not a keyword, which `Box` would become.
 pub fn local_name(name: &str) -> String {
     let name = name.to_lowercase();
     let is_word = name.bytes().all(|byte| byte.is_ascii_lowercase());
@@ -32,7 +32,7 @@ pub fn local_name(name: &str) -> String {
 /// The names of locals.
 #[derive(Default)]
 pub struct Names {
-    /// How many names each is the beginning of, as far as that is known.
+    /// The number of names with each beginning, as far as it is known.
     taken: HashMap<String, u32>,
 }
 

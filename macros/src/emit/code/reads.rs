@@ -14,13 +14,13 @@ use super::block::Block;
 use super::naming::{given, local};
 use super::writer::{Source, Told};
 
-/// Which component of something a symbol is, if it is one.
+/// Which component of a quantity a symbol is, if it is one.
 type Component = Box<dyn Fn(Meaning) -> Option<usize>>;
 
-/// Components that are read together: where, and the name of each; a scalar has one.
+/// Components that are read together: their place, and the name of each; a scalar has one.
 type Place = (Source, TokenStream, Vec<String>, Component);
 
-/// Where the parts of a state and of an acceleration are.
+/// The places of the parts of a state and of an acceleration.
 fn places(outline: &Outline) -> Vec<Place> {
     let own = outline.states.iter().enumerate().map(place_of_own);
     if outline.is_system {
@@ -42,7 +42,7 @@ fn places(outline: &Outline) -> Vec<Place> {
     places.chain(own).collect()
 }
 
-/// A state of one's own, in the field of its name.
+/// A user-defined state, in the field of its name.
 fn place_of_own((number, own): (usize, &Declared)) -> Place {
     let (state, name) = (local("state"), &own.name);
     let component: Component =
@@ -77,8 +77,8 @@ fn places_of_joint(joint: &Jointed) -> Vec<Place> {
     state.chain(second).collect()
 }
 
-/// Where the parts of the state and of the acceleration of a body alone are; `part` is the field that
-/// has its motion, if it is not the whole.
+/// The places of the parts of the state and of the acceleration of a single body; `part` is the
+/// field with its motion, if it is not the whole state.
 fn places_of_body(
     motion: Motion,
     part: Option<&TokenStream>,
@@ -123,8 +123,8 @@ fn places_of_body(
     ]
 }
 
-/// What reactions are called, where they are, and how many components they have; of a system force and
-/// moment of each joint that holds, and the load of each constraint.
+/// The names, places and numbers of components of reactions; for a system force and moment of each
+/// supporting joint, and the load of each constraint.
 fn reactions(outline: &Outline) -> Vec<(String, TokenStream, usize)> {
     let count = |kind: LoadKind| outline.motion.axes_of(kind).len();
     let own = outline.reactions.iter().map(|(word, kind)| {
@@ -147,7 +147,7 @@ fn reactions(outline: &Outline) -> Vec<(String, TokenStream, usize)> {
 }
 
 impl Block<'_> {
-    /// Reads the symbols of `program`, and gives them names.
+    /// Reads the symbols of `program`, and names them.
     pub fn read(&mut self, program: &Program) -> TokenStream {
         let work = self.writer.work;
         let symbols = program.symbols.iter();
@@ -197,7 +197,7 @@ impl Block<'_> {
         tokens
     }
 
-    /// A value that every function of this stage is given.
+    /// A value that every function of this stage has.
     fn value_at_hand(&mut self) -> TokenStream {
         let outline = self.writer.outline;
         let (motion, state) = (outline.motion, local("state"));
@@ -367,7 +367,7 @@ impl Block<'_> {
     }
 }
 
-/// The symbols that are components of something, and which.
+/// The symbols that are components of a quantity, with their indices.
 fn found(
     symbols: &[(Id, Meaning)],
     component: impl Fn(Meaning) -> Option<usize>,

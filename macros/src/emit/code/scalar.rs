@@ -1,4 +1,4 @@
-//! The scalar of a body: `f64`, or the parameter that its description names; and the one place that
+//! The scalar of a body: `f64`, or the type parameter of its description; and the only place that
 //! names the runtime.
 
 use std::fmt::{Display, LowerExp};
@@ -9,18 +9,18 @@ use quote::{format_ident, quote};
 use crate::model::Outline;
 use crate::symbolic::Number;
 
-/// The path of what generated code may name.
+/// The path of the names for generated code.
 pub fn private(outline: &Outline) -> TokenStream {
     let runtime = &outline.runtime;
     quote!(#runtime::private)
 }
 
-/// What the numbers of a body are.
+/// The number type of a body.
 #[derive(Clone)]
 pub struct Scalar {
-    /// Of a generic body.
+    /// For a generic body.
     name: Option<Ident>,
-    /// A generic body has to be named with its scalar, even where that is `f64`.
+    /// A generic body must be named with its scalar, even if that is `f64`.
     is_applied: bool,
     private: TokenStream,
 }
@@ -34,7 +34,7 @@ impl Scalar {
         }
     }
 
-    /// `f64`, of a generic body too: for what is done in doubles alone.
+    /// `f64`, even for a generic body: for computations in doubles only.
     pub fn double(outline: &Outline) -> Self {
         Self {
             name: None,
@@ -53,20 +53,20 @@ impl Scalar {
             .map_or_else(|| quote!(f64), |name| quote!(#name))
     }
 
-    /// `<T: Scalar>`, behind `impl`
+    /// `<T: Scalar>`, after `impl`
     pub fn declared(&self) -> TokenStream {
         let private = &self.private;
         let name = self.name.iter();
         quote!(#(<#name: #private::Scalar>)*)
     }
 
-    /// `<T>`, behind a type
+    /// `<T>`, after a type
     pub fn applied(&self) -> TokenStream {
         let kind = self.is_applied.then(|| self.kind()).into_iter();
         quote!(#(<#kind>)*)
     }
 
-    /// A type of the runtime that holds numbers, in types and in expressions.
+    /// A numeric type of the runtime, in types and in expressions.
     pub fn holder(&self, name: &str) -> TokenStream {
         let (private, name) = (&self.private, format_ident!("{name}"));
         self.name.as_ref().map_or_else(
@@ -93,7 +93,7 @@ pub fn number_literal(value: f64) -> TokenStream {
     literal(value < 0.0, plain, magnitude)
 }
 
-/// The same of single precision; what is out of its range is infinite.
+/// The same in single precision; a number out of its range is infinite.
 fn single_literal(value: f32) -> TokenStream {
     let magnitude = value.abs();
     if magnitude.is_infinite() {

@@ -1,4 +1,4 @@
-//! Shapes: the types of the runtime that a kind of motion has, and how they are filled.
+//! Shapes: the runtime's types for a kind of motion, and how they are filled.
 
 use core::ops::Range;
 
@@ -16,14 +16,14 @@ use super::scalar::{Scalar, private};
 #[derive(Clone)]
 pub struct Shapes {
     pub motion: Motion,
-    /// Of a state that has parts: the name of what it is of, and these with their shapes.
+    /// For a state with parts: the name of its owner, and the parts with their shapes.
     parts: Option<(Ident, Vec<(Ident, &'static Shape)>)>,
     is_system: bool,
     pub scalar: Scalar,
     pub private: TokenStream,
 }
 
-/// Values of components, taken in the order in which they were asked for.
+/// Values of components, taken in the order of the request.
 pub type Values<'a> = std::slice::Iter<'a, TokenStream>;
 
 impl Shapes {
@@ -39,7 +39,7 @@ impl Shapes {
         }
     }
 
-    /// The same in doubles, of a generic body too.
+    /// The same in doubles, even for a generic body.
     pub fn double(outline: &Outline) -> Self {
         Self {
             scalar: Scalar::double(outline),
@@ -122,12 +122,12 @@ impl Shapes {
         quote!(#private::SMatrix::from([#(#columns),*]))
     }
 
-    /// The components that a vector has.
+    /// The components of a vector.
     pub fn vector_part<'c>(&self, components: &'c Components) -> &'c [Id] {
         &components[..self.motion.axes()]
     }
 
-    /// The components that a moment has.
+    /// The components of a moment.
     pub fn moment_part<'c>(&self, components: &'c Components) -> &'c [Id] {
         &components[self.motion.axes_of(LoadKind::Moment)]
     }
@@ -156,7 +156,7 @@ impl Shapes {
         [linear, angular].concat()
     }
 
-    /// The components of a wrench; of a body that only turns, those of the moment.
+    /// The components of a wrench; for a body that only rotates, those of the moment.
     pub fn wrench_part(&self, force: &Components, moment: &Components) -> Vec<Id> {
         let force = if self.motion.knows_position() {
             self.vector_part(force)
@@ -233,7 +233,7 @@ impl Shapes {
         }
     }
 
-    /// What a load of this kind is made of.
+    /// A load of this kind.
     pub fn load(&self, kind: LoadKind, values: &mut Values<'_>) -> TokenStream {
         match kind {
             LoadKind::Force => self.vector(values),
@@ -269,7 +269,7 @@ impl Shapes {
         }
     }
 
-    /// `State { velocity: .., angular_velocity: .., ..*state }`, of a rod `axis_rate`, with these
+    /// `State { velocity: .., angular_velocity: .., ..*state }`, for a rod `axis_rate`, with these
     /// velocities or at rest.
     pub fn moving_state(&self, values: &mut Values<'_>, moves: bool) -> TokenStream {
         let state = local("state");
@@ -298,7 +298,7 @@ impl Shapes {
         quote!(#name { #(#fields),* })
     }
 
-    /// The motion of a body alone, at this place.
+    /// The motion of a single body, at this place.
     fn moving_body(
         &self,
         place: &TokenStream,

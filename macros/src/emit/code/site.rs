@@ -1,4 +1,4 @@
-//! Where methods are written: in the scalar of the body, or in doubles.
+//! The context for writing methods: in the scalar of the body, or in doubles.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -9,11 +9,11 @@ use super::method::Method;
 use super::shapes::Shapes;
 use super::writer::{Source, Writer};
 
-/// The types of a body, and what its methods are written with.
+/// The types of a body, and the writer of its methods.
 pub struct Site<'a> {
     pub outline: &'a Outline,
     pub shapes: Shapes,
-    /// None for a description with mistakes.
+    /// None for an invalid description.
     writer: Option<Writer<'a>>,
 }
 
@@ -26,7 +26,7 @@ impl<'a> Site<'a> {
         }
     }
 
-    /// The same in doubles, of a generic body too.
+    /// The same in doubles, even for a generic body.
     pub fn double(&self) -> Self {
         Self {
             outline: self.outline,
@@ -35,7 +35,7 @@ impl<'a> Site<'a> {
         }
     }
 
-    /// The method for what was derived; without it, one that is never run.
+    /// The method for a derived result; without one, a method that is never run.
     pub fn method<D: ?Sized>(
         &self,
         derived: Option<&D>,
@@ -45,7 +45,7 @@ impl<'a> Site<'a> {
         both.map_or_else(Method::never, |(writer, derived)| write(writer, derived))
     }
 
-    /// `impl Trait for Body`, of a generic body `impl<T: Scalar> Trait for Body<T>`
+    /// `impl Trait for Body`, for a generic body `impl<T: Scalar> Trait for Body<T>`
     pub fn header(&self, name: &str) -> TokenStream {
         self.header_with(name, &TokenStream::new())
     }
@@ -60,7 +60,7 @@ impl<'a> Site<'a> {
         quote!(impl #declared #private::#name #arguments for #body #applied)
     }
 
-    /// The type of the inputs; nothing is given to a body that declares none.
+    /// The type of the inputs; `()` for a body without inputs.
     pub fn input_type(&self) -> TokenStream {
         let is_there = !self.outline.inputs.is_empty();
         is_there
@@ -84,7 +84,7 @@ impl<'a> Site<'a> {
         quote!(#name #applied)
     }
 
-    /// `Result<kind, Singular>`, if there may be none.
+    /// `Result<kind, Singular>`, if the result may not exist.
     pub fn fallible(&self, kind: TokenStream, is_fallible: bool) -> TokenStream {
         if !is_fallible {
             return kind;
@@ -93,7 +93,7 @@ impl<'a> Site<'a> {
         quote!(::core::result::Result<#kind, #private::Singular>)
     }
 
-    /// `time: f64, state: &State, ..`, with an underscore before what is not read.
+    /// `time: f64, state: &State, ..`, with an underscore before unused arguments.
     pub fn arguments(&self, method: &Method, sources: &[Source]) -> TokenStream {
         let shapes = &self.shapes;
         let arguments = sources.iter().map(|source| {

@@ -1,4 +1,4 @@
-//! Straight-line code: the statements of one generated function, and what it returns.
+//! Straight-line code: the statements of one generated function, and its result.
 
 use std::collections::BTreeSet;
 
@@ -17,17 +17,17 @@ const GROUP: usize = 256;
 
 /// The code of one function.
 pub struct Code {
-    /// Reads what is given, and computes.
+    /// Reads the arguments, and computes.
     pub statements: TokenStream,
-    /// What was asked for.
+    /// The requested outputs.
     pub outputs: Vec<TokenStream>,
     pub facts: Facts,
 }
 
-/// What is known of code.
+/// Facts about code.
 #[derive(Default)]
 pub struct Facts {
-    /// What it reads: to name arguments that it does not.
+    /// The sources that it reads: unused arguments get an underscore.
     pub reads: Vec<Source>,
     pub cost: Cost,
     /// Whether statements carry notes.
@@ -37,29 +37,29 @@ pub struct Facts {
     pub guards: Guards,
     /// The statements as text, for documentation.
     pub text: Vec<String>,
-    /// What was asked for as text.
+    /// The requested outputs as text.
     pub output_text: Vec<String>,
 }
 
-/// What code looks at, and gives no number if it is not so.
+/// The guards of code, which gives NaN if they fail.
 #[derive(Clone, Copy, Default)]
 pub struct Guards {
-    /// Whether it divides by what may vanish.
+    /// Whether it divides by something that may vanish.
     pub pivots: bool,
-    /// Whether what is positive, as masses are, changes.
+    /// Whether positive quantities, such as masses, change.
     pub positives: bool,
 }
 
-/// One statement: what is assigned, its value, and what is said of it.
+/// One statement: its name, its value, and its documentation.
 struct Line {
     left: TokenStream,
     right: TokenStream,
     note: Option<String>,
 }
 
-/// `let a = ..; let b = ..;`, and of a long run `let (a, b); a = ..; b = ..;`: each `let` opens a scope
-/// within the one before it, and debug information of thousands of them overflows the stack of the
-/// compiler.
+/// `let a = ..; let b = ..;`, and for a long run `let (a, b); a = ..; b = ..;`. Each `let` opens a
+/// scope within the previous one, and debug information of thousands of them overflows the stack of
+/// the compiler.
 fn written(lines: &[Line]) -> TokenStream {
     if lines.len() <= LONG {
         let lines = lines.iter().map(|Line { left, right, note }| {
@@ -77,8 +77,8 @@ fn written(lines: &[Line]) -> TokenStream {
 }
 
 impl Writer<'_> {
-    /// The code that computes `outputs`. That of a generic body has a line for each constant; its
-    /// text is that of the same code for `f64`.
+    /// The code that computes `outputs`. The code of a generic body has a line for each constant;
+    /// its text is that of the same code for `f64`.
     pub fn function(&self, outputs: &[Id]) -> Code {
         let program = self.schedule(outputs);
         let (plain, numbers) = self.write(&program, None);
@@ -132,7 +132,7 @@ impl Writer<'_> {
 }
 
 impl Block<'_> {
-    /// The statements of `program` that are due and have no name yet, as code and as text.
+    /// The statements of `program` that are due and unnamed, as code and as text.
     pub fn statements(
         &mut self,
         program: &Program,
@@ -154,7 +154,7 @@ impl Block<'_> {
         (written(&lines), text)
     }
 
-    /// What is assigned, and its value; a sine and a cosine of the same angle are computed
+    /// A name and its value; a sine and a cosine of the same angle are computed
     /// together.
     fn statement(&mut self, id: Id, name: Ident, program: &Program) -> (TokenStream, TokenStream) {
         let graph = &self.writer.work.graph;

@@ -52,12 +52,12 @@ pub fn to_text(tokens: &TokenStream) -> String {
             tight = false;
         }
     }
-    // `$crate::private::math::sin(x)` and `self.inverse_mass` are read better without their paths
+    // `$crate::private::math::sin(x)` and `self.inverse_mass` are more readable without their paths
     let functions = without_path(&text, "private::math::");
     without_path(&functions, "private::").replace("self.", "")
 }
 
-/// Without a path that ends so, wherever it begins.
+/// Removes a path that ends like this, wherever it begins.
 fn without_path(text: &str, end: &str) -> String {
     let is_path = |c: char| c.is_alphanumeric() || matches!(c, '_' | ':' | '$');
     let mut parts: Vec<&str> = text.split(end).collect();

@@ -1,4 +1,4 @@
-//! What functions are written with: what they are given, what is stored, and what the numbers are.
+//! The context for writing functions: their arguments, stored fields, and number types.
 
 use proc_macro2::Ident;
 
@@ -8,10 +8,10 @@ use crate::symbolic::{Id, Program, Stage};
 use super::naming::Names;
 use super::shapes::Shapes;
 
-/// Names that a function has before its first statement.
+/// Names that exist before the first statement of a function.
 const TAKEN: &str = "self time state input acceleration reactions params f64";
 
-/// Where the values of symbols come from.
+/// The sources of the values of symbols.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Source {
     Time,
@@ -22,7 +22,7 @@ pub enum Source {
     Input,
 }
 
-/// What most methods are given.
+/// The arguments of most methods.
 pub const COMMON: [Source; 3] = [Source::Time, Source::State, Source::Input];
 
 /// Expressions that the constructor stores, by their fields.
@@ -38,12 +38,12 @@ impl Fields {
     }
 }
 
-/// What functions are given of the motion.
+/// The form in which functions receive the motion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Told {
     Nothing,
     State,
-    /// The numbers of state and input, as in constants.
+    /// The numbers of state and input as arrays, for constants.
     Arrays,
 }
 
@@ -52,18 +52,18 @@ pub enum Told {
 pub struct Writer<'a> {
     pub work: &'a Workspace,
     pub outline: &'a Outline,
-    /// What the constructor has stored, to be read.
+    /// Fields stored by the constructor, to be read.
     pub fields: &'a Fields,
-    /// What the constructor is to store, to be computed under these names.
+    /// Fields to be computed and stored by the constructor, under these names.
     pub targets: &'a Fields,
     pub stage: Stage,
-    /// Whether the functions return a `Result`, so that a division that cannot be done ends them;
-    /// it panics in the others.
+    /// Whether the functions return a `Result`, so that an impossible division ends them;
+    /// in the others it panics.
     pub is_fallible: bool,
-    /// Whether they compute all that is not stored, for functions that are seldom called.
+    /// Whether they compute everything that is not stored, for functions that are rarely called.
     pub is_whole: bool,
     pub told: Told,
-    /// What the numbers are, and the types that hold them.
+    /// The number type, and the numeric types.
     pub shapes: Shapes,
 }
 
@@ -99,9 +99,9 @@ impl<'a> Writer<'a> {
         graph.schedule(outputs, self.stage)
     }
 
-    /// Names that are not there for statements: those of arguments, and those of fields, which are
-    /// told from statements by `self` in the code and by nothing in its text, or which the
-    /// constructor is yet to compute.
+    /// Names that are taken before statements: those of arguments and those of fields. In code,
+    /// `self` distinguishes fields from statements, but in the text nothing does; fields may also
+    /// be those that the constructor has not computed yet.
     pub fn taken(&self) -> Names {
         let fields = self.fields.0.iter().chain(&self.targets.0);
         let fields = fields.map(|(_, name)| name.to_string());

@@ -1,4 +1,4 @@
-//! What outputs add to a body.
+//! Additions of outputs to a body.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -10,21 +10,21 @@ use crate::symbolic::Cost;
 use super::record::Record;
 use super::rigid_body::Best;
 
-/// Implementations of traits, and what is said of them.
+/// Implementations of traits, and their documentation.
 #[derive(Default)]
 pub struct Addition {
     pub implementations: TokenStream,
-    /// The structs among these, beside those of every body.
+    /// The structs among these.
     pub structs: Vec<Ident>,
-    /// Operations by method; not of those whose operations are the runtime's.
+    /// Operation counts by method, except for methods of the runtime.
     pub costs: Vec<(&'static str, Cost)>,
-    /// What integrates the body, if this is better than what every body has.
+    /// The integration method, if it is better than the general one.
     pub best: Best,
-    /// What has to be known before a method is called.
+    /// Remarks about the use of a method.
     pub remarks: Vec<&'static str>,
 }
 
-/// A method by its name, what it is given, and what it returns.
+/// A method with its name, its arguments, and its result type.
 pub type Signature<'a> = (&'static str, &'a Method, &'a [Source], &'a TokenStream);
 
 impl Addition {
@@ -49,7 +49,7 @@ impl Addition {
         }
     }
 
-    /// A struct beside what is implemented with it.
+    /// Adds a struct.
     pub fn with(mut self, outline: &Outline, record: &Record) -> Self {
         self.implementations.extend(record.declared(outline));
         self.structs.push(record.name(outline));

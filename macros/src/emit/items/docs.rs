@@ -1,5 +1,4 @@
-//! The documentation of a body: its equations, what kind of body it is, what they cost and what was
-//! left out.
+//! The documentation of a body: its equations, its class, their cost and the skipped terms.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
@@ -14,8 +13,8 @@ use super::constructor::Constructor;
 
 /// The rustdoc of the type, and its inherent constants.
 pub struct Documentation {
-    /// The type's documentation. Its equations are there for rustdoc alone: who reads the expansion
-    /// reads the code.
+    /// The type's documentation. The equations appear only in rustdoc: in the expansion the code
+    /// shows them.
     pub lines: TokenStream,
     /// `EQUATIONS`, `OPERATIONS`, `SKIPPED`.
     pub constants: TokenStream,
@@ -110,7 +109,7 @@ fn lines(
     }
 }
 
-/// What is computed once, and then the acceleration.
+/// The equations of the constructor, then those of the acceleration.
 fn equations_text(acceleration: &Method, constructor: &Constructor) -> Vec<String> {
     let (stored, evaluated) = (&constructor.text[..], &acceleration.facts.text[..]);
     if stored.is_empty() {
@@ -139,18 +138,18 @@ fn spaced(line: &str) -> String {
     }
 }
 
-/// Where there is no acceleration, of what changes.
+/// The states of a changing body without an acceleration.
 const CHANGING: &str =
-    " Where the mass or an inertia, which change, is not positive, `acceleration` is not a number.";
+    " Where the mass or an inertia, which can change, is not positive, `acceleration` is NaN.";
 
-/// Where there is no acceleration, of what is divided by a number that may vanish.
+/// The states without an acceleration, if a divisor may vanish.
 fn singular(outline: &Outline) -> &'static str {
     if outline.is_constrained {
-        " Where the constraints do not determine their reactions, `acceleration` is not a number; \
-         `reactions`, if it is there, returns an error."
+        " Where the constraints do not determine their reactions, `acceleration` is NaN, and \
+         `reactions`, if requested, returns an error."
     } else {
-        " Where the mass or an inertia, with what loads add that follow the acceleration, is not \
-         positive, `acceleration` is not a number."
+        " Where the mass or an inertia, including the terms of loads that depend on the acceleration, \
+         is not positive, `acceleration` is NaN."
     }
 }
 
@@ -190,11 +189,11 @@ fn constants(
         quote!(#private::Operations::#stage(#name, [#(#counts),*]))
     });
     quote! {
-        /// The equations of motion, as they are evaluated.
+        /// The equations of motion, as evaluated.
         pub const EQUATIONS: &str = #text;
-        /// What they cost, by function and stage.
+        /// Their operation counts, by function and stage.
         pub const OPERATIONS: &[#private::Operations] = &[#(#rows),*];
-        /// What they do not contain, and why.
+        /// The terms that were left out, and why.
         pub const SKIPPED: &[&str] = &[#(#skipped),*];
     }
 }
@@ -206,7 +205,7 @@ pub fn declared_doc(declared: &Declared) -> String {
         None => String::new(),
     };
     let moving = if declared.moves {
-        ", when it is given"
+        ", at the time it is given"
     } else {
         ""
     };

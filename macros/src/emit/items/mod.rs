@@ -1,4 +1,4 @@
-//! The items of a body: its structs, how it is built, what it implements and what is said of it.
+//! The items of a body: its structs, its constructor, its implementations and its documentation.
 
 mod addition;
 mod columns;

@@ -28,7 +28,7 @@ pub fn open_drives(outline: &Outline) -> Record {
     Record {
         suffix: "Drives",
         doc: format!(
-            " The unknown drives of [`{}`], in the axes in which they are written.",
+            " The unknown drives of [`{}`], in the axes of the description.",
             outline.name
         ),
         fields: open_fields(outline, &outline.drives),
@@ -52,7 +52,7 @@ fn open_fields(outline: &Outline, open: &[(Ident, LoadKind)]) -> Vec<Field> {
     fields.collect()
 }
 
-/// `BodyReactions { pin: .., guide: .. }`, of `open` loads.
+/// `BodyReactions { pin: .., guide: .. }`, for `open` loads.
 pub fn write_open(
     writer: &Writer<'_>,
     record: &Record,

@@ -1,4 +1,4 @@
-//! What is checked of bodies: whether there are any of their mass and inertia.
+//! Checks that bodies with the given mass and inertia are possible.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -7,14 +7,14 @@ use crate::model::Substance;
 use crate::symbolic::Id;
 
 /// Masses and inertias that are checked together, in systems with the names of their bodies: masses
-/// first, on which inertias may depend.
+/// first, because inertias may depend on them.
 pub struct Checked<'a> {
     masses: Vec<(Option<&'a str>, Id)>,
     inertias: Vec<(Option<&'a str>, Vec<Id>)>,
 }
 
 impl<'a> Checked<'a> {
-    /// Those of which the values are `wanted`.
+    /// Those whose values are `wanted`.
     pub fn of(bodies: &'a [Substance], wanted: impl Fn(&[Id]) -> bool) -> Self {
         let masses = bodies
             .iter()
@@ -39,7 +39,7 @@ impl<'a> Checked<'a> {
         masses.chain(entries.copied()).collect()
     }
 
-    /// `check_mass(mass)?; member("arm", check_inertia([xx, ..]))?;` of these values.
+    /// `check_mass(mass)?; member("arm", check_inertia([xx, ..]))?;` for these values.
     pub fn emit(&self, values: &[TokenStream], private: &TokenStream) -> TokenStream {
         let with_name = |name: Option<&str>, check: TokenStream| {
             let named = name.map(|name| quote!(#private::member(#name, #check)?;));

@@ -1,4 +1,4 @@
-//! Structs of what has a name: parameters, inputs, what is solved for.
+//! Structs of named quantities: parameters, inputs, unknowns.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use crate::emit::code::{Scalar, Values};
 use crate::model::Outline;
 
-/// `BodyReactions { elbow: Wrench, .. }`: its name behind that of the body, and its fields.
+/// `BodyReactions { elbow: Wrench, .. }`: its suffix to the name of the body, and its fields.
 pub struct Record {
     pub suffix: &'static str,
     pub doc: String,
@@ -22,7 +22,7 @@ pub struct Field {
 }
 
 impl Field {
-    /// Of which its name says all.
+    /// A field whose name needs no documentation.
     pub fn new(name: &Ident, kind: TokenStream) -> Self {
         Self {
             name: name.clone(),
@@ -56,7 +56,7 @@ impl Record {
         }
     }
 
-    /// The struct, each field, by its number, filled from the next values.
+    /// The struct, with each field, by its index, filled from the next values.
     pub fn filled(
         &self,
         outline: &Outline,
@@ -74,7 +74,7 @@ impl Record {
         quote!(#name { #(#fields,)* #empty })
     }
 
-    /// Whether nothing but a marker says what its scalar is.
+    /// Whether only a marker uses its scalar.
     fn is_marked(&self, outline: &Outline) -> bool {
         self.fields.is_empty() && Scalar::of(outline).is_generic()
     }
@@ -86,7 +86,7 @@ fn lints<'n>(names: impl IntoIterator<Item = &'n Ident>) -> TokenStream {
     quote!(#[allow(clippy::struct_field_names #snake_case)])
 }
 
-/// The lint that is broken by a parameter `J`, or a reaction `R_v`.
+/// The permission for names like a parameter `J` or a reaction `R_v`.
 pub fn snake_case<'n>(names: impl IntoIterator<Item = &'n Ident>) -> Option<TokenStream> {
     let has_capitals = |name: &Ident| name.to_string().contains(char::is_uppercase);
     let unusual = names.into_iter().any(has_capitals);

@@ -1,4 +1,4 @@
-//! What every body implements: its accelerations, when they change, and how it is integrated.
+//! The implementations of every body: its accelerations, their switches, and its integration.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -10,14 +10,14 @@ use crate::symbolic::{Id, Number};
 
 use super::possible::Checked;
 
-/// The accelerations, and when they change; in the order in which the state has them.
+/// The accelerations, in the order of the state, and their switches.
 pub struct Equated {
     pub accelerations: Vec<Id>,
     pub switches: Vec<Switch>,
     pub partial: Vec<Partial>,
 }
 
-/// The method that integrates a body best, from the one that every body has.
+/// The best integration method for a body, starting from the one that every body has.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub enum Best {
     #[default]
@@ -32,7 +32,7 @@ pub fn write_acceleration(site: &Site<'_>, equations: Option<&Equated>) -> Metho
     site.method(equations, |writer, equations| {
         let outputs = &equations.accelerations;
         let mut method = Method::write(writer, outputs, |values| shapes.acceleration(values));
-        // what is known early is no statement, and stands in the text all the same
+        // results known early are not statements, but appear in the text
         let results = shapes
             .acceleration_names()
             .into_iter()
@@ -64,7 +64,7 @@ pub fn emit_rigid_body(
     let input_after = emit_input_after(site);
     let lost_load = equations.map(|equations| emit_lost_load(site, &equations.partial));
     let possible = emit_possible(site, bodies);
-    // in lanes, all of it has to be compiled for the register
+    // in lanes, everything must be compiled for the register
     let inline = if shapes.scalar.is_generic() {
         quote!(#[allow(clippy::inline_always)] #[inline(always)])
     } else {
@@ -111,7 +111,7 @@ fn emit_lost_load(site: &Site<'_>, partial: &[Partial]) -> Option<TokenStream> {
     Some(quote!(#[cold] #method))
 }
 
-/// `check_mass(mass)?; ..` of what changes in the course of a motion.
+/// `check_mass(mass)?; ..` for bodies that change during a motion.
 fn emit_possible(site: &Site<'_>, bodies: &[Substance]) -> Option<TokenStream> {
     let method = site.method(Some(bodies), |writer, bodies| {
         let graph = &writer.work.graph;
@@ -119,7 +119,7 @@ fn emit_possible(site: &Site<'_>, bodies: &[Substance]) -> Option<TokenStream> {
         if checked.is_empty() {
             return Method::default();
         }
-        // what is said of them are their values, whatever these are
+        // the checks take the values only
         let outputs = checked.values();
         let outputs: Vec<Id> = outputs.into_iter().map(|id| graph.unchecked(id)).collect();
         let writer = Writer {
@@ -155,7 +155,7 @@ fn emit_switches(site: &Site<'_>, switches: &[Switch]) -> Option<TokenStream> {
 
 /// `times.at(50.0); times.every(self.start, self.period);`
 fn write_switches(writer: &Writer<'_>, switches: &[Switch]) -> Method {
-    // numbers need no scalar to be made of
+    // numbers need no scalar to be made from
     let graph = &writer.work.graph;
     let number = |id: &Id| {
         graph
@@ -187,7 +187,7 @@ fn write_switches(writer: &Writer<'_>, switches: &[Switch]) -> Method {
     })
 }
 
-/// An input that moves goes on with its rate and acceleration.
+/// A `.moving` input continues with its rate and acceleration.
 fn emit_input_after(site: &Site<'_>) -> Option<TokenStream> {
     let (outline, scalar) = (site.outline, &site.shapes.scalar);
     let kind = scalar.kind();
@@ -218,7 +218,7 @@ fn emit_input_after(site: &Site<'_>) -> Option<TokenStream> {
     })
 }
 
-/// `impl Integrate for Body { type Best = ..; }`, of what moves.
+/// `impl Integrate for Body { type Best = ..; }`, for bodies that move.
 pub fn emit_integrate(site: &Site<'_>, best: Best) -> TokenStream {
     if site.outline.is_still() {
         return TokenStream::new();

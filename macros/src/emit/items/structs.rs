@@ -11,7 +11,7 @@ use super::docs::{Documentation, declared_doc};
 use super::open::{open_drives, open_reactions};
 use super::record::{Field, Record, snake_case};
 
-/// One field for each quantity that is declared.
+/// One field for each declared quantity.
 fn declared_fields(outline: &Outline, declared: &[Declared]) -> Vec<Field> {
     let shapes = Shapes::of(outline);
     let fields = declared.iter().map(|declared| Field {
@@ -25,12 +25,12 @@ fn declared_fields(outline: &Outline, declared: &[Declared]) -> Vec<Field> {
     fields.collect()
 }
 
-/// What a body is given and what is solved for, as far as there is anything.
+/// The structs of inputs, reactions and drives, if there are any.
 fn records(outline: &Outline) -> impl Iterator<Item = Record> {
     let input = Record {
         suffix: "Input",
         doc: format!(
-            " What [`{}`] is given at each evaluation, in SI units.",
+            " Inputs of [`{}`] at each evaluation, in SI units.",
             outline.name
         ),
         fields: declared_fields(outline, &outline.inputs),
@@ -78,7 +78,8 @@ pub fn emit_items(
     }
 }
 
-/// The state of a system and its acceleration, joint by joint; and of a body with states of its own.
+/// The state of a system and its acceleration, joint by joint; also of a body with user-defined
+/// states.
 fn emit_state(outline: &Outline) -> Option<TokenStream> {
     if !outline.has_parts() {
         return None;
@@ -96,13 +97,16 @@ fn emit_state(outline: &Outline) -> Option<TokenStream> {
         ["", ""]
     } else {
         [
-            ", and states of its own",
-            ", and the rates of its own states",
+            ", and user-defined states",
+            ", and the rates of user-defined states",
         ]
     };
     let [of_state, of_acceleration] = [
-        format!(" The state of [`{name}`]: that {parts}{}.", own[0]),
-        format!(" The acceleration of [`{name}`]: that {parts}{}.", own[1]),
+        format!(" The state of [`{name}`]: the state {parts}{}.", own[0]),
+        format!(
+            " The acceleration of [`{name}`]: the acceleration {parts}{}.",
+            own[1]
+        ),
     ];
     let scalar = outline.scalar.iter();
     if outline.is_still() {
@@ -131,7 +135,7 @@ fn emit_state(outline: &Outline) -> Option<TokenStream> {
     })
 }
 
-/// What a part of a state is, and of its acceleration.
+/// The documentation of a part of a state, and of its acceleration.
 fn docs_of_part(outline: &Outline, name: &Ident) -> [String; 2] {
     let mut states = outline.states.iter();
     let Some(state) = states.find(|state| state.name == *name) else {
@@ -180,9 +184,10 @@ fn emit_built(
     let constants_of_new = allow_constants(body);
     let default = emit_default(outline);
     let what = if has_params { "parameter" } else { "constant" };
-    let new_doc = format!(" Checks the {what}s, and computes what depends on them alone.");
+    let new_doc =
+        format!(" Checks the {what}s, and computes everything that depends on them alone.");
     let error_doc =
-        format!(" A {what} is not finite, or no body has the mass or inertia they make.");
+        format!(" A {what} is not finite, or no body can have the resulting mass or inertia.");
     quote! {
         #lines
         #[derive(Clone, Debug)]
@@ -198,7 +203,7 @@ fn emit_built(
             #constants_of_new
             pub fn new(#(params: #params)*) -> ::core::result::Result<Self, #private::InvalidBody> { #body }
             #(
-                /// The parameters this body was built from.
+                /// The parameters of this body.
                 #[must_use]
                 pub fn params(&self) -> &#params { &self.params }
             )*

@@ -7,23 +7,23 @@ use quote::quote;
 
 use crate::symbolic::{Id, LANES, Sum, Term};
 
-/// Half the order of a series: how many products of coefficients a term has, on the whole.
+/// Half the order of a series: the average number of products of coefficients in a term.
 const PRODUCTS: usize = 8;
-/// The most products of one call: their sums stay in registers.
+/// The limit of products in one call: their sums stay in registers.
 const MOST: usize = 40;
 
 /// Sums of one level that are computed together.
 pub struct Batch<'r> {
     pub level: usize,
     pub first: usize,
-    /// With those that fill the last register.
+    /// Including those that pad the last register.
     pub lanes: usize,
     /// Products in a lane.
     pub count: usize,
     pub parts: Vec<Part<'r>>,
 }
 
-/// A sum, or as much of it as a lane holds.
+/// A sum, or the part of it that a lane holds.
 pub struct Part<'r> {
     pub sum: &'r Sum,
     terms: &'r [Term],
@@ -41,7 +41,7 @@ pub fn batches(sums: &[Sum]) -> Vec<Batch<'_>> {
             let lanes = filled(parts.len());
             batches.push(Batch {
                 level: sums[0].level,
-                // registers are read fastest where they are aligned
+                // aligned registers are read fastest
                 first: if lanes < 4 {
                     end
                 } else {
@@ -56,7 +56,7 @@ pub fn batches(sums: &[Sum]) -> Vec<Batch<'_>> {
     batches
 }
 
-/// As many sums as one call computes; the parts of a sum are never in two.
+/// Splits sums into calls; the parts of one sum are never in two calls.
 fn calls(sums: &[Sum], count: usize) -> impl Iterator<Item = &[Sum]> {
     let lanes = move |sum: &Sum| sum.terms.len().div_ceil(count).max(1);
     let mut taken = 0;
@@ -70,8 +70,8 @@ fn calls(sums: &[Sum], count: usize) -> impl Iterator<Item = &[Sum]> {
     })
 }
 
-/// The count of products in a lane that costs least: products in registers, and sums of parts. Of
-/// equal ones the largest.
+/// The number of products per lane with the least cost (products in registers, and sums of parts);
+/// in a tie the largest.
 fn best_count(sums: &[Sum]) -> usize {
     let most = sums.iter().map(|sum| sum.terms.len()).max().unwrap_or(1);
     let cost = |count: &usize| {
@@ -98,7 +98,7 @@ fn parts(sums: &[Sum], count: usize) -> impl Iterator<Item = Part<'_>> {
     })
 }
 
-/// Up to two lanes are left alone; more fill registers of four.
+/// Up to two lanes stay as they are; more are padded to registers of four.
 pub fn filled(lanes: usize) -> usize {
     match lanes {
         1 | 2 => lanes,
@@ -125,8 +125,8 @@ impl Batch<'_> {
         self.filled(rows, self.count, fill)
     }
 
-    /// `[[(weight, coefficient), ..], ..]`, lane by lane, of what is added to the products, if
-    /// there is anything.
+    /// `[[(weight, coefficient), ..], ..]`, lane by lane, of the terms added to the products, if
+    /// there are any.
     pub fn linear(&self, term: impl Fn(&(Id, Id)) -> TokenStream) -> Option<TokenStream> {
         let most = self.parts.iter().map(|part| part.linear.len()).max()?;
         let rows = self.parts.iter().map(|part| part.linear.iter().map(&term));
@@ -149,7 +149,7 @@ impl Batch<'_> {
         quote!([#(#rows),*])
     }
 
-    /// The products, and where they lie: all first ones of the lanes, and so on.
+    /// The products and their places: first the first products of all lanes, and so on.
     pub fn places(&self) -> impl Iterator<Item = (usize, &Term)> {
         let lanes = (self.first..).zip(&self.parts);
         lanes.flat_map(|(lane, part)| {

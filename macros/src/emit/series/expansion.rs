@@ -1,4 +1,4 @@
-//! The recurrences of Taylor series as a method: what they begin with, and a loop over the orders.
+//! The recurrences of Taylor series as a method: initial values, and a loop over the orders.
 //!
 //! ```text
 //! products.start::<0, 8, 3>([[(0.5, qy, wz), (-0.5, qz, wy), (0.5, qw, wx)], ..]);
@@ -13,7 +13,7 @@
 //! series.extend(products, COUNT - 1, rates);
 //! ```
 //!
-//! Where the sums are the rates of all coordinates, they go on as they are.
+//! If the sums are the rates of all coordinates, they are used directly.
 
 use std::collections::{BTreeSet, HashMap};
 use std::iter::repeat_n;
@@ -28,13 +28,13 @@ use crate::symbolic::{Graph, Id, Node, Program, Recurrences, Stage, Term};
 use super::batch::{Batch, batches, filled};
 use super::names::{name_coefficients, name_results, name_sums};
 
-/// Names that the method has beside those of all functions.
+/// Names in the method beyond those of all functions.
 const TAKEN: [&str; 5] = ["n", "products", "series", "rates", "sums"];
 
 /// The method that expands a motion.
 pub struct Expansion {
     pub method: Method,
-    /// The number of products of series, those that fill registers included.
+    /// The number of products of series, including those that pad registers.
     pub width: usize,
 }
 
@@ -102,7 +102,7 @@ fn of_order(recurrences: &Recurrences) -> BTreeSet<Id> {
         .collect()
 }
 
-/// All that is computed for each order.
+/// All expressions that are computed for each order.
 fn of_each_order(recurrences: &Recurrences) -> Vec<Id> {
     let factors = terms(recurrences).flat_map(|term| term.factors);
     let factors = factors.map(|factor| factor.next);
@@ -111,7 +111,7 @@ fn of_each_order(recurrences: &Recurrences) -> Vec<Id> {
     rates.chain(factors).chain(linear).collect()
 }
 
-/// What is added to the sums of products: weights, and coefficients.
+/// The terms added to the sums of products: weights and coefficients.
 fn linear(recurrences: &Recurrences) -> impl Iterator<Item = &(Id, Id)> {
     recurrences.sums.iter().flat_map(|sum| &sum.linear)
 }
@@ -120,7 +120,7 @@ fn terms(recurrences: &Recurrences) -> impl Iterator<Item = &Term> {
     recurrences.sums.iter().flat_map(|sum| &sum.terms)
 }
 
-/// What is computed once, from the start of the step, and read by every order.
+/// The expressions computed once at the start of the step, and read by every order.
 fn held(graph: &Graph, recurrences: &Recurrences) -> BTreeSet<Id> {
     let roots = of_each_order(recurrences);
     let mut moves = of_order(recurrences);
@@ -150,7 +150,7 @@ fn held(graph: &Graph, recurrences: &Recurrences) -> BTreeSet<Id> {
     held
 }
 
-/// Reads the state, and computes the first coefficients of what is multiplied and of the rates.
+/// Reads the state, and computes the first coefficients of the factors and of the rates.
 fn start(
     block: &mut Block<'_>,
     recurrences: &Recurrences,
@@ -197,7 +197,7 @@ fn start(
     tokens
 }
 
-/// The rates of the coordinates, and what fills the last register.
+/// The rates of the coordinates, and the padding of the last register.
 fn coordinates(block: &Block<'_>, rates: &[Id]) -> Vec<TokenStream> {
     let rest = filled(rates.len()) - rates.len();
     rates
@@ -248,7 +248,7 @@ fn orders(block: &mut Block<'_>, taylor: &Taylor, batches: &[Batch<'_>]) -> Toke
     }
 }
 
-/// The sums of a batch, and what is computed before them.
+/// The sums of a batch, and the expressions computed before them.
 fn sums_of_order(
     block: &Block<'_>,
     batch: &Batch<'_>,
@@ -291,7 +291,7 @@ fn is_of_rates(batch: &Batch<'_>, recurrences: &Recurrences) -> bool {
     sums.eq(rates.iter().copied()) && !nexts.any(|next| rates.contains(&next))
 }
 
-/// n, its reciprocal, and the coefficients of what goes on by itself, if they are read.
+/// n, its reciprocal, and the coefficients of `.moving` inputs, if they are read.
 fn read_order(block: &mut Block<'_>, recurrences: &Recurrences, program: &Program) -> TokenStream {
     let private = block.writer.shapes.private.clone();
     let n = local("n");
@@ -318,7 +318,7 @@ fn read_order(block: &mut Block<'_>, recurrences: &Recurrences, program: &Progra
     tokens
 }
 
-/// The factors that were not known when they were multiplied by zero.
+/// The factors that were unknown, and multiplied as zero.
 fn complete(
     block: &Block<'_>,
     batches: &[Batch<'_>],
@@ -344,7 +344,7 @@ fn complete(
     is_there.then(|| quote!(#products.complete(#n, &[#(#left),*], &[#(#right),*]);))
 }
 
-/// How many levels of convolutions stand before each expression of an order; none are left out.
+/// The number of levels of convolutions before each expression of an order; none are left out.
 fn levels(graph: &Graph, recurrences: &Recurrences, program: &Program) -> HashMap<Id, usize> {
     let mut levels: HashMap<Id, usize> = recurrences
         .sums

@@ -1,14 +1,14 @@
-//! What cannot be asked of a body whose mass or inertia changes.
+//! Outputs that a body with changing mass or inertia cannot have.
 
 use crate::errors::Errors;
 use crate::model::{Meaning, Outline, Workspace};
 use crate::symbolic::Id;
 
-/// Outputs that are of a state alone.
+/// Outputs that are functions of a state alone.
 const OF_STATE: [&str; 2] = ["energy", "momentum"];
 
-/// Reports outputs that know less than the masses and inertias of all bodies follow: of a state alone,
-/// time; of the body alone, any change.
+/// Reports outputs that depend on fewer variables than the masses and inertias of all bodies: time
+/// is missing in functions of a state, and any change in functions of the body.
 pub fn check_changing(work: &Workspace, known: &[Id], outline: &Outline, errors: &mut Errors) {
     let graph = &work.graph;
     let asked = |word: &&'static str| Some((*word, outline.place(word)?));

@@ -1,4 +1,4 @@
-//! Checks: what is claimed, and the state in which it is.
+//! Checks: claims, and their states.
 
 use crate::errors::Extent;
 use crate::lower::expressions::{Lowering, Value};
@@ -8,10 +8,10 @@ use crate::syntax::{self, Description, Expression, Kind, Operator};
 
 use super::names::check_distinct;
 
-/// What can be given a value.
+/// A quantity that can be given a value.
 enum Target {
     Scalar(Id, Dimension),
-    /// Symbols along axes, of the others none.
+    /// Symbols along axes, none for other axes.
     Vector(Frame, Components, Dimension),
     /// The quaternion, its scalar first.
     Attitude([Id; 4]),
@@ -21,7 +21,7 @@ const TURNED: &str =
     "an attitude is given by an axis and an angle: write `turned(world(0, 0, 1), 30[deg])`";
 
 impl Lowering<'_> {
-    /// All checks; what they ask for beside the description gets symbols.
+    /// All checks; quantities beyond the description get symbols.
     pub fn checks(&mut self, description: &Description) -> Option<Checks> {
         check_distinct(
             "check",
@@ -33,7 +33,7 @@ impl Lowering<'_> {
         }
         let answers = self.name_answers();
         let list = description.checks.iter().map(|check| self.check(check));
-        // all of them, so that each says what is wrong with it
+        // reads all of them, so that each reports its errors
         let list: Vec<Option<Check>> = list.collect();
         Some(Checks {
             list: list.into_iter().collect::<Option<_>>()?,
@@ -97,7 +97,7 @@ impl Lowering<'_> {
 
     fn claim(&mut self, written: &syntax::Claim) -> Option<Claim> {
         let syntax::Claim { left, step, extent } = written;
-        // as a condition it has to make sense
+        // it must be valid as a condition
         self.chain(left, core::slice::from_ref(step))?;
         let sides = [self.value(left)?, self.value(&step.operand)?];
         let [Value::Scalar(a, _), Value::Scalar(b, _)] = sides else {
@@ -119,7 +119,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// The symbols of what is given, and their values.
+    /// The symbols of given quantities, and their values.
     fn given(&mut self, written: &syntax::Given) -> Option<Vec<(Id, Id, Extent)>> {
         let (target, value) = (self.target(&written.target)?, &written.value);
         let (place, what) = (written.target.extent, "what is given");
@@ -163,7 +163,7 @@ impl Lowering<'_> {
         let vector = self.vector(axis, Dimension::ANY, "an axis");
         let angle = self.scalar(angle, Dimension::NONE, "an angle");
         let (vector, angle) = (vector?, angle?);
-        // it is the same in both axes
+        // the axis is the same in both frames
         let [(_, components)] = *self.work.parts(vector) else {
             return self.report(axis.extent, "the axis of a turn is not zero");
         };
@@ -206,7 +206,7 @@ impl Lowering<'_> {
         found
     }
 
-    /// What follows from the motion cannot be given.
+    /// Quantities that follow from the motion cannot be given.
     fn is_answer(&self, target: &Target) -> bool {
         let follows = |id: &Id| match self.work.meaning(*id) {
             Some(Meaning::Of(_, variable, _)) => variable.is_acceleration(),
@@ -220,7 +220,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Angle, attitude and angular velocity, by the names that they have in a state.
+    /// Angle, attitude and angular velocity, by their names in a state.
     fn turning_target(&mut self, written: &Expression) -> Option<Target> {
         let frame = match &written.kind {
             Kind::Name(name) if !self.is_whole => {

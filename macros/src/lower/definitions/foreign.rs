@@ -1,4 +1,4 @@
-//! Constants and functions that stand in the Rust of the user: their names and units.
+//! Rust constants and functions of the user: their names and units.
 
 use crate::errors::every;
 use crate::lower::expressions::{Lowering, Value, lower_unit};
@@ -69,8 +69,8 @@ impl Lowering<'_> {
         Some(Value::Function(number))
     }
 
-    /// What this unit is in SI units, and its dimension; without one it is a plain number, which has
-    /// any.
+    /// The factor of this unit to SI units, and its dimension; without a unit it is a plain number,
+    /// which fits any dimension.
     fn factor(&mut self, unit: Option<&UnitExpression>) -> Option<(Number, Dimension)> {
         match unit {
             Some(unit) => lower_unit(unit, self.errors),

@@ -1,4 +1,4 @@
-//! Definitions: parameters, inputs, points, locals and the mass, each after those it refers to.
+//! Definitions: parameters, inputs, points, locals and the mass, in order of dependency.
 
 use std::collections::HashMap;
 
@@ -22,7 +22,7 @@ impl Lowering<'_> {
         }
         let mut is_lost = false;
         for (index, input) in outline::distinct(&description.inputs).enumerate() {
-            // what is wrong with a declaration is wrong once
+            // an error in a declaration is reported once
             let value = if input.order > 0 && is_lost {
                 None
             } else {
@@ -38,12 +38,12 @@ impl Lowering<'_> {
         defaults
     }
 
-    /// Points, locals and the mass, each after those it refers to.
+    /// Points, locals and the mass, in order of dependency.
     pub fn definitions(&mut self, description: &Description, defaults: &Defaults) -> Mass {
         let (order, circular) = definition_order(description, self.errors);
         let mut mass = match description.mass {
             Some(_) => Mass::Reported,
-            // that it is missing is reported
+            // its absence is reported
             None if self.motion.knows_position() => Mass::Reported,
             None => Mass::Absent,
         };
@@ -81,7 +81,7 @@ impl Lowering<'_> {
         mass
     }
 
-    /// Reads what the direction of a rod needs, and the direction; returns what is left.
+    /// Reads the direction of a rod and the definitions that it needs; returns the others.
     fn definitions_at_axis(
         &mut self,
         description: &Description,
@@ -123,7 +123,7 @@ impl Lowering<'_> {
         self.scope.define(&name, value);
     }
 
-    /// Reads definitions while it is not known how the body moves; returns those that follow from it,
+    /// Reads definitions before the motion of the body is known; returns those that depend on it,
     /// which have no value yet.
     pub fn fixed_definitions(
         &mut self,
@@ -151,7 +151,7 @@ impl Lowering<'_> {
             }
             let is_late = *definition != Definition::Mass && self.is_late(&name);
             if follows.is_some() || self.work.met_still || is_late {
-                // of a body that stands still another value is wrong than of one that moves
+                // the error differs for a body at rest and for one that moves
                 self.errors.take_back(reported);
                 self.scope.forget(&name);
                 late.push(*definition);
@@ -164,7 +164,7 @@ impl Lowering<'_> {
     fn is_late(&self, name: &str) -> bool {
         let graph = &self.work.graph;
         match self.scope.peek(name) {
-            // what follows time and states of one's own is known before the motion
+            // functions of time and user-defined states are known before the motion
             Some(Value::Scalar(id, _)) => self.work.follows_motion(&[id]),
             Some(Value::Condition(id)) => !graph.is_early(id),
             Some(Value::Components(_, components, _)) => !graph.are_early(&components),
@@ -185,8 +185,8 @@ impl Lowering<'_> {
         Some(self.named(value, &name))
     }
 
-    /// Reads again, now that G is known, what the parts refer to; and, now that the axis is, what
-    /// the direction of a rod refers to.
+    /// Reads again the definitions that the parts refer to, now that G is known, and those that
+    /// the direction of a rod refers to, now that the axis is known.
     pub fn read_again(&mut self, definition: Definition, description: &Description) {
         let (name, _) = definition.of(description);
         if self.scope.peek(&name).is_some() {
@@ -195,7 +195,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// The mass that the parts have together; with it, G becomes known.
+    /// The total mass of the parts; with it, G becomes known.
     fn mass_of_parts(&mut self, parts: &Composition, defaults: &Defaults) -> Option<Id> {
         self.composed = self.compose(parts, defaults);
         if self.composed.is_none() {
@@ -255,7 +255,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// A body that moves has a mass, once.
+    /// A body that moves has one mass.
     pub fn check_mass_key(&mut self, description: &Description, motion_is_known: bool) {
         if description.composition.is_some() {
             if let Some(key) = description.keys.iter().find(|key| *key == "mass") {

@@ -1,4 +1,4 @@
-//! Parameters, inputs, points and locals, in the order of what they refer to.
+//! Parameters, inputs, points and locals, in order of dependency.
 
 mod changing;
 mod checks;

@@ -1,4 +1,4 @@
-//! Names that mean two things.
+//! Ambiguous names.
 
 use std::collections::{HashMap, HashSet};
 
@@ -9,8 +9,8 @@ use crate::lower::expressions::{BUILT_IN, OF_ROD, Scope, written_motion};
 use crate::model::Joint;
 use crate::syntax::Description;
 
-/// Reports names that are defined twice, or that are built in. Loads have a namespace of their own.
-/// Returns the names that mean two things.
+/// Reports names that are defined twice, or that are built in. Loads have a separate namespace.
+/// Returns the ambiguous names.
 pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<String> {
     let mut repeated = HashSet::new();
     let mut seen = HashMap::new();
@@ -86,7 +86,7 @@ pub fn check_distinct<'n>(what: &str, names: impl Iterator<Item = &'n Ident>, er
     }
 }
 
-/// The names that nothing refers to; the rates of an input come with it.
+/// The names that nothing refers to; an input includes its rates.
 pub fn unused(description: &Description, scope: &Scope) -> Vec<Ident> {
     let inputs = description.inputs.iter().filter(|input| input.order == 0);
     let declared = description.params.iter().chain(inputs);

@@ -1,4 +1,4 @@
-//! The order in which definitions can be read: each after those it refers to.
+//! The order in which definitions can be read: each after its dependencies.
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
@@ -15,18 +15,18 @@ pub enum Definition {
     Local(usize),
 }
 
-/// Members of a circle that a message names.
+/// The limit of members of a cycle in a message.
 const SHOWN: usize = 6;
 
-/// Definitions and what each of them mentions of the others.
+/// Definitions and their references to each other.
 struct References<'d> {
     definitions: Vec<(String, Definition)>,
-    /// For each definition, those it refers to, with the name that does.
+    /// For each definition, its dependencies, with the name that refers to each.
     uses: Vec<Vec<(usize, &'d Ident)>>,
 }
 
-/// Points, locals and the mass in the order in which they can be read, and those that cannot be,
-/// because they refer to themselves or to such that do. Each circle is reported once.
+/// Points, locals and the mass in the order in which they can be read, and those that cannot be
+/// read because they depend on a cycle. Each cycle is reported once.
 pub fn definition_order(
     description: &Description,
     errors: &mut Errors,
@@ -72,7 +72,7 @@ impl Definition {
     }
 }
 
-/// Splits an order of definitions into those that the support needs, and the rest, which can
+/// Splits an order of definitions into those that the support needs, and the others, which can
 /// depend on the motion that the support allows.
 pub fn split_at_support(
     description: &Description,
@@ -87,8 +87,8 @@ pub fn split_at_support(
     split(description, order, needed)
 }
 
-/// Splits an order of definitions into those that all points and the mass need, and the rest, which
-/// can depend on how a system moves.
+/// Splits an order of definitions into those that all points and the mass need, and the others,
+/// which can depend on the motion of a system.
 pub fn split_at_points(
     description: &Description,
     order: &[Definition],
@@ -104,7 +104,7 @@ pub fn split_at_points(
     split(description, order, needed)
 }
 
-/// Splits an order of definitions into those that the direction of a rod needs, and the rest.
+/// Splits an order of definitions into those that the direction of a rod needs, and the others.
 pub fn split_at_axis(
     description: &Description,
     order: &[Definition],
@@ -116,14 +116,14 @@ fn names(value: &Expression) -> Vec<String> {
     value.names().into_iter().map(ToString::to_string).collect()
 }
 
-/// The names behind the word of the motion.
+/// The names after the word of the motion.
 fn names_in_motion(description: &Description) -> HashSet<String> {
     let support = description.motion.iter().flat_map(|motion| &motion.support);
     let written = support.flat_map(|support| support.arguments.iter().chain(&support.anchor));
     written.flatten().flat_map(names).collect()
 }
 
-/// Splits off what is needed, and what that needs in turn.
+/// Splits off the needed definitions and their dependencies.
 fn split(
     description: &Description,
     order: &[Definition],
@@ -144,7 +144,7 @@ impl<'d> References<'d> {
     fn find(description: &'d Description) -> Self {
         let mut definitions = Vec::new();
         let mut values: Vec<Vec<&Expression>> = Vec::new();
-        // what is known only when the parts are put together
+        // known only when the parts are composed
         let mut composed = HashMap::new();
         if let Some(composition) = &description.composition {
             composed.extend(["mass", "G"].map(|name| (name.to_owned(), definitions.len())));
@@ -162,7 +162,7 @@ impl<'d> References<'d> {
             definitions.push((local.name.to_string(), Definition::Local(index)));
             values.push(local.value.iter().collect());
         }
-        // of two with one name, the first counts
+        // of two definitions of one name, the first counts
         let index: HashMap<String, usize> = definitions
             .iter()
             .enumerate()
@@ -181,7 +181,7 @@ impl<'d> References<'d> {
         }
     }
 
-    /// What can be read, in order, and what is left.
+    /// The definitions that can be read, in order, and the others.
     fn sort(&self) -> (Vec<usize>, BTreeSet<usize>) {
         let mut waiting: Vec<usize> = self.uses.iter().map(Vec::len).collect();
         let mut users: Vec<Vec<usize>> = vec![Vec::new(); waiting.len()];
@@ -205,11 +205,12 @@ impl<'d> References<'d> {
         (order, all.filter(|index| waiting[*index] > 0).collect())
     }
 
-    /// A circle among `left`: each member with the name by which it refers to the next.
+    /// A cycle among `left`: each member with the name by which it refers to the next.
     fn circle(&self, left: &BTreeSet<usize>) -> Option<Vec<(usize, &'d Ident)>> {
         let mut finished: BTreeSet<usize> = BTreeSet::new();
         for &start in left {
-            // the way from `start`: each member, and how many of its uses were followed
+            // the path from `start`: each member, and the number of its references that were
+            // followed
             let mut way: Vec<(usize, usize)> = vec![(start, 0)];
             let mut on_way: BTreeSet<usize> = BTreeSet::from([start]);
             while let Some((current, followed)) = way.last_mut() {

@@ -1,5 +1,5 @@
-//! The outline of a body: what its types and signatures follow from. It exists for every
-//! description, however broken, so that the rest of a user's crate stays as it is.
+//! The outline of a body, which determines its types and signatures. It exists for every
+//! description, however broken, so that the rest of a user's crate still compiles.
 
 use std::collections::HashSet;
 
@@ -17,25 +17,25 @@ use crate::syntax::{self, Declaration, Description, Expression, Kind, ROD, SUPPO
 /// Outputs of later versions.
 const LATER: [&str; 2] = ["mass_matrix", "jacobian"];
 
-/// The output that solves for drives: without it, none may be unknown.
+/// The output that solves for drives: without it, no drive may be unknown.
 pub const INVERSE: &str = "inverse";
 
-/// The output whose equations are differentiated.
+/// The output that needs differentiated equations.
 pub const LINEARIZATION: &str = "linearization";
 
-/// An output that a description may ask for, beyond the accelerations.
+/// An output that a description may request, beyond the accelerations.
 pub struct Offer {
     pub word: &'static str,
-    /// Why a description cannot ask for it, and what to write instead.
+    /// The reason why a description cannot request it, and what to write instead.
     pub obstacle: fn(&Description) -> Option<&'static str>,
-    /// Whether a description that does not ask for it is told so.
+    /// Whether `SKIPPED` lists it if it is not requested.
     pub is_missed: fn(&Outline) -> bool,
-    /// Whether it has no meaning where nothing moves by itself.
+    /// Whether it has no meaning if nothing moves by itself.
     pub is_of_motion: bool,
 }
 
 impl Offer {
-    /// Of every description, and none is told if it does not ask for it.
+    /// Available to every description, and not listed if it is not requested.
     pub const fn new(word: &'static str) -> Self {
         Self {
             word,
@@ -46,7 +46,7 @@ impl Offer {
     }
 }
 
-/// The outline of `description`; without a valid motion it is taken to be the most likely one.
+/// The outline of `description`; without a valid motion, the most likely one is assumed.
 pub fn outline(
     description: &Description,
     offers: &[&'static Offer],
@@ -112,7 +112,7 @@ pub fn outline(
     }
 }
 
-/// The declarations without those that repeat a name: a struct has a field once.
+/// The declarations without duplicate names: a field occurs once in a struct.
 pub fn distinct(declarations: &[Declaration]) -> impl Iterator<Item = &Declaration> {
     let mut seen = HashSet::new();
     declarations
@@ -120,7 +120,7 @@ pub fn distinct(declarations: &[Declaration]) -> impl Iterator<Item = &Declarati
         .filter(move |declaration| seen.insert(declaration.name.to_string()))
 }
 
-/// What a description without a valid motion was probably meant to be, so that the rest of it can
+/// The most likely motion of a description without a valid one, so that the rest of it can
 /// be checked.
 fn likely_motion(description: &Description) -> Motion {
     let word = description
@@ -141,7 +141,7 @@ fn likely_motion(description: &Description) -> Motion {
     }
 }
 
-/// How many components the first vector in an expression has.
+/// The number of components of the first vector in an expression.
 fn component_count(expression: &Expression) -> Option<usize> {
     let mut count = None;
     expression.visit(|part| match &part.kind {
@@ -204,7 +204,7 @@ fn by_name(description: &Description, wanted: fn(&syntax::Load) -> bool) -> Vec<
         .collect()
 }
 
-/// Whether an entry that may have been meant as an unknown reaction is reported.
+/// Whether the error of an entry that may have been meant as an unknown reaction is reported.
 fn is_reported(description: &Description) -> bool {
     let is_partly_open = |value: &Expression| {
         let mut found = false;

@@ -67,7 +67,7 @@ impl Lowering<'_> {
         Some(Value::Vector(vector, declared.dimension))
     }
 
-    /// What is written of a default, of a vector in these axes.
+    /// The components of a written default, for a vector in these axes.
     fn default_value(&mut self, value: &Expression, frame: Option<FrameWord>) -> Option<Value> {
         let mut names = value.names().into_iter();
         if let Some(open) = names.find(|name| self.scope.is_open(&name.to_string())) {
@@ -123,7 +123,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// The unit of a rate, or of an acceleration, from that of what moves.
+    /// The unit of a rate, or of an acceleration, from that of the moving quantity.
     fn differentiate(&mut self, written: &Declaration, declared: &mut Declared) -> Option<()> {
         for _ in 0..written.order {
             let Some(rate) = declared.dimension.over(Dimension::TIME) else {
@@ -139,8 +139,8 @@ impl Lowering<'_> {
         Some(())
     }
 
-    /// A vector in body axes that is given from outside may have any direction, and one of a rod
-    /// not; a system has no body axes.
+    /// A vector in body axes that is given from outside may have any direction, which is impossible
+    /// for a rod; a system has no body axes.
     fn check_axes(&mut self, frame: Option<FrameWord>, value: &Expression) -> Option<()> {
         if frame == Some(FrameWord::Body)
             && self.is_whole
@@ -183,7 +183,7 @@ impl Lowering<'_> {
         Some(())
     }
 
-    /// The unit of a default, as it is written; one that is not of SI is not that of the field.
+    /// The unit of a default, as written; a non-SI unit is not that of the field.
     fn unit_of_default(&mut self, value: &Expression) -> Option<Unit> {
         match &value.kind {
             Kind::Prefix(_, inner) => self.unit_of_default(inner),

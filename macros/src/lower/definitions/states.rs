@@ -1,4 +1,4 @@
-//! States of one's own, and their rates: what is integrated beside the motion.
+//! User-defined states and their rates, which are integrated with the motion.
 
 use proc_macro2::Ident;
 
@@ -10,7 +10,7 @@ use crate::syntax::{Declaration, Definition, Description};
 
 use super::outline::distinct;
 
-/// The field that has the motion of a body, beside its own states.
+/// The field with the motion of a body, next to its user-defined states.
 const MOTION: &str = "motion";
 
 impl Lowering<'_> {
@@ -67,13 +67,13 @@ impl Lowering<'_> {
         }
     }
 
-    /// Each state has a rate, and each rate is of a state.
+    /// Each state has a rate, and each rate belongs to a state.
     fn check_rates(&mut self, description: &Description) {
         let states: Vec<&Ident> = distinct(&description.states)
             .map(|state| &state.name)
             .collect();
         let words: Vec<String> = states.iter().map(ToString::to_string).collect();
-        // those that a rate is perhaps meant for
+        // states that a rate may have been meant for
         let mut meant = Vec::new();
         for rate in &description.rates {
             let (name, word) = (&rate.name, rate.name.to_string());
@@ -99,7 +99,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// What a state of this dimension changes by in a second.
+    /// The dimension of the time derivative of a state.
     fn rate(&mut self, written: &Definition, dimension: Dimension) -> Option<Id> {
         let (name, value) = (&written.name, written.value.as_ref()?);
         if let Some(place) = self.mentioned_reaction(value) {

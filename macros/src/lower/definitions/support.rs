@@ -11,7 +11,7 @@ impl Lowering<'_> {
         let motion = description.motion.as_ref()?;
         let word = motion.word.to_string();
         let found = self.read_support(motion.support.as_ref()?, &word, defaults);
-        // what was wrong with it is reported: the rest is read with another one
+        // the error is reported: the rest is read with another support
         let support = found.unwrap_or_else(|| self.any_support());
         self.state.hold(self.work, support);
         Some(())
@@ -95,7 +95,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// What points somewhere has no unit of its own; from one point to another it has that of both.
+    /// A direction has no dimension; a difference of points has that of both.
     fn check_no_unit(&mut self, written: &Expression) -> Option<()> {
         let found = self.value(written).and_then(dimension)?;
         let mut unit = None;
@@ -112,7 +112,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// A unit vector along `written`; at the angle zero both axes are the same. That of a rod is
+    /// A unit vector along `written`; at angle zero both axes agree. That of a rod is
     /// written in the body.
     pub fn direction(
         &mut self,

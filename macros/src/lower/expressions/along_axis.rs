@@ -1,9 +1,9 @@
-//! Rods: of the attitude there is the axis u alone, a unit vector in world axes.
+//! Rods: the attitude is the axis u alone, a unit vector in world axes.
 //!
-//! How a rod is turned about its axis is not known, so that a vector v of the body is known only if
-//! it is along the direction e of the axis in the body: it is `(e . v) u`. It becomes this vector
-//! in world axes where it is read. Only the offsets of points stay in body axes, from which inertia
-//! is made.
+//! The rotation of a rod about its axis is not known, so a vector v of the body is known only if it
+//! is along the direction e of the axis in the body: it is `(e . v) u`. It becomes this vector in
+//! world axes where it is read. Only the offsets of points stay in body axes, because the inertia
+//! is computed from them.
 
 use crate::errors::Extent;
 use crate::model::{Attitude, Defaults, Point, Vector};
@@ -12,7 +12,7 @@ use crate::syntax::{Description, Support};
 
 use super::lowering::Lowering;
 
-/// Why something is not known of a rod.
+/// The reason why a quantity is not known for a rod.
 pub const UNTURNED: &str = "how a rod is turned about its axis is not known";
 
 impl Lowering<'_> {
@@ -53,7 +53,7 @@ impl Lowering<'_> {
         Some(())
     }
 
-    /// `body(x, y, z)`: of a rod, a vector along its axis.
+    /// `body(x, y, z)`: for a rod, a vector along its axis.
     pub fn body_vector(&mut self, components: Components, place: Extent) -> Option<Vector> {
         if !self.is_along_axis(components) {
             return self.report(
@@ -67,7 +67,7 @@ impl Lowering<'_> {
         Some(self.work.fixed_in(self.state.body, components))
     }
 
-    /// A point, of a rod one that is on its axis.
+    /// A point; for a rod it must be on the axis.
     pub fn on_axis(&mut self, point: Point, place: Extent) -> Option<Point> {
         // no offset from G is known before the parts are
         let is_known = self.composed.is_some() || !self.has_parts;

@@ -87,7 +87,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Two dimensions that do not fit: the error stands on the smaller side, and there on the
+    /// Reports two dimensions that do not fit: the error is on the smaller side, and there on the
     /// unit, if one was written.
     fn unequal<T>(
         &mut self,
@@ -177,7 +177,7 @@ impl Lowering<'_> {
         None
     }
 
-    /// A scalar and a vector have no sum: the error stands on the smaller side.
+    /// Reports the sum of a scalar and a vector: the error is on the smaller side.
     fn unlike(&mut self, left: Value, right: Value, sides: Sides<'_>) -> Option<Value> {
         let (place, this, other) = if sides.left.size < sides.step.operand.size() {
             (sides.left.extent, left.kind(), right.kind())
@@ -188,7 +188,7 @@ impl Lowering<'_> {
         self.report(place, message)
     }
 
-    /// What to write where a point is not meant, but a vector.
+    /// What to write if a vector was meant, not a point.
     fn instead(&self, value: Value, written: Option<&Expression>) -> String {
         if !matches!(value, Value::Point(_)) {
             return String::new();
@@ -203,7 +203,7 @@ impl Lowering<'_> {
         format!(": {advice}, the vector to it from the origin of the world")
     }
 
-    /// `P + v`: the matter of the body that is there, away from a point of it.
+    /// `P + v`: the matter of the body at this offset from one of its points.
     fn point_beside(
         &mut self,
         point: Point,
@@ -238,7 +238,7 @@ impl Lowering<'_> {
         }))
     }
 
-    /// Vectors and components alike as a vector.
+    /// Vectors and components alike, as a vector.
     pub fn as_vector(&mut self, value: Value) -> Option<Vector> {
         match value {
             Value::Vector(vector, _) => Some(vector),
@@ -356,7 +356,7 @@ impl Lowering<'_> {
     }
 }
 
-/// What stands to the left of an operator.
+/// The left side of an operator.
 struct Side<'e> {
     value: Option<Value>,
     /// The expression, if it is one.

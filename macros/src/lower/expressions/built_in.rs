@@ -1,4 +1,4 @@
-//! Names: what was defined, and what every description knows without defining it.
+//! Names: defined ones, and those built into every description.
 
 use proc_macro2::Ident;
 
@@ -65,7 +65,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Beside the bodies of a system, what belongs to a body is named with it.
+    /// Next to the bodies of a system, quantities of a body are named through it.
     pub fn check_has_body(&mut self, name: &Ident) -> Option<()> {
         let word = name.to_string();
         let is_built_in = [&BUILT_IN[..], &FOLLOWED].concat().contains(&word.as_str());
@@ -148,7 +148,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// What turns: a vector, in the plane a scalar.
+    /// The angular quantity: a vector, in the plane a scalar.
     fn turning(&mut self, components: Components, dimension: Dimension) -> Value {
         if self.motion.is_planar {
             return Value::Scalar(components[2], dimension);
@@ -156,12 +156,12 @@ impl Lowering<'_> {
         Value::Vector(self.work.vector(self.state.axes, components), dimension)
     }
 
-    /// That of G, by symbols. What moves freely and turns is pushed in its own axes: there the loads
-    /// that follow its acceleration are known early.
+    /// The acceleration of G, by symbols. A body that moves freely and rotates is pushed in its own
+    /// axes: there the loads that depend on its acceleration are known early.
     pub fn acceleration_of_center(&mut self) -> Vector {
         let (motion, body) = (self.motion, self.state.body);
         let turns = motion.has_attitude() && !motion.is_line();
-        // in systems and under constraints it is solved for with all else, in world axes
+        // in systems and under constraints it is solved for with all other unknowns, in world axes
         if !motion.translates() || !turns || self.is_constrained {
             return self.state.acceleration;
         }
@@ -174,7 +174,7 @@ impl Lowering<'_> {
         self.work.vector(body, symbols)
     }
 
-    /// That of the matter of the body at a point.
+    /// The acceleration of the body's matter at a point.
     pub fn acceleration_of(&mut self, point: Point) -> Vector {
         let offset = match point {
             Point::Fixed(body, offset) => self.work.fixed_in(body, offset),
@@ -186,7 +186,7 @@ impl Lowering<'_> {
         self.work.add(of_center, thrown)
     }
 
-    /// `w' x r + w x (w x r)`, of w and w' in these axes.
+    /// `w' x r + w x (w x r)`, with w and w' in these axes.
     pub fn thrown(
         &mut self,
         offset: Vector,
@@ -199,7 +199,7 @@ impl Lowering<'_> {
         self.work.add(driven, drawn)
     }
 
-    /// What a support is made of cannot depend on the motion that it allows.
+    /// The definitions of a support cannot depend on the motion that it allows.
     pub fn check_support_is_read(&mut self, place: &Ident) -> Option<()> {
         if self.motion.is_supported() && self.state.support.is_none() {
             return self.report(
@@ -211,7 +211,7 @@ impl Lowering<'_> {
     }
 }
 
-/// What a name in capitals probably is.
+/// The probable meaning of a name in capitals.
 fn of_rust(word: &str) -> String {
     let is_capital = |letter: char| !letter.is_lowercase();
     if word.len() < 2 || !word.chars().all(is_capital) {

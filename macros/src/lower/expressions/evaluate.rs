@@ -64,7 +64,7 @@ impl Lowering<'_> {
         Some(value)
     }
 
-    /// Looks for mistakes in what cannot be used, because something around it is wrong.
+    /// Looks for further errors in an expression that cannot be used because of an error around it.
     pub fn visit(&mut self, expressions: &[Expression]) {
         for expression in expressions {
             let is_value = !matches!(

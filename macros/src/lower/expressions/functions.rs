@@ -1,4 +1,4 @@
-//! What is called: `world(..)` and `body(..)`, and the functions of scalars.
+//! Calls: `world(..)` and `body(..)`, and the functions of scalars.
 
 use proc_macro2::Ident;
 
@@ -215,7 +215,7 @@ impl Lowering<'_> {
         Some(Value::Scalar(value, of_value))
     }
 
-    /// The dimension of a function of operands that have this one.
+    /// The dimension of a function, from that of its operands.
     fn dimension_of(
         &mut self,
         function: Function,
@@ -235,7 +235,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// The other argument of a function of two, and the dimension that both have.
+    /// The other argument of a function of two, and their common dimension.
     fn second_operand(
         &mut self,
         of_x: Dimension,

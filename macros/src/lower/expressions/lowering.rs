@@ -1,6 +1,6 @@
-//! What expressions are read with, and what is asked of a value.
+//! The context of reading expressions, and the conditions on values.
 //!
-//! Every method returns `None` for what was reported, here or before; nothing is reported twice.
+//! Every method returns `None` if an error was reported, here or before; nothing is reported twice.
 
 use proc_macro2::Ident;
 
@@ -14,12 +14,12 @@ use crate::syntax::{Expression, Kind};
 use super::scope::Value;
 use super::scope::{Members, Scope};
 
-/// Messages that are given in more than one place.
+/// Messages that are used in more than one place.
 pub const AXES: &str = "in which axes? write `body(..)` or `world(..)` in front of the parentheses";
 pub const UNKNOWN: &str = "unknown components (`_`) stand alone in a reaction or a drive, or as `_ * direction`: write a \
      value here";
 
-/// What is asked of the motion of a point.
+/// The requested motion of a point.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum OfPoint {
     Position,
@@ -37,26 +37,26 @@ impl OfPoint {
     }
 }
 
-/// All that an expression can see.
+/// Everything that an expression can see.
 pub struct Lowering<'a> {
     pub work: &'a mut Workspace,
     pub scope: &'a mut Scope,
     pub errors: &'a mut Errors,
     pub motion: Motion,
     pub state: &'a mut State,
-    /// The names of the unknown reactions that loads can refer to: under constraints.
+    /// The names of unknown reactions that loads can refer to, under constraints.
     pub reactions: Vec<String>,
     /// Under constraints, loads may depend on them.
     pub is_constrained: bool,
-    /// Of a body that is composed of parts, once they are read.
+    /// The drawing origin of a body composed of parts, once they are read.
     pub composed: Option<Composed>,
-    /// Whether it is.
+    /// Whether the body is composed.
     pub has_parts: bool,
-    /// Of any other body, how it is drawn.
+    /// The drawing origin of any other body.
     pub drawn: Drawn,
-    /// The bodies and joints of a system; none for a body alone.
+    /// The bodies and joints of a system; none for a single body.
     pub members: &'a Members,
-    /// What is read stands beside the bodies of a system, and in none of them.
+    /// The expression is next to the bodies of a system, not inside one.
     pub is_whole: bool,
 }
 
@@ -69,7 +69,7 @@ impl Lowering<'_> {
         self.errors.report(place, message)
     }
 
-    /// Under which motion: of a system, whether it is in the plane or in space.
+    /// The motion in words; for a system, whether it is in the plane or in space.
     pub fn under(&self) -> String {
         if !self.members.is_system() {
             return format!("under `motion: {}`", self.motion.word);
@@ -142,7 +142,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Refuses what has no value, at its word; what parameters may bring there is remembered.
+    /// Refuses an expression without a value, at its word; records it if parameters decide.
     pub fn check_value(
         &mut self,
         word: &str,
@@ -183,7 +183,7 @@ impl Lowering<'_> {
         self.report(place, format!("{what} is {expected}, and this is {found}"))
     }
 
-    /// The part of a sound expression that gives it another dimension than `expected`.
+    /// The part of a correct expression that gives it another dimension than `expected`.
     pub fn culprit(&mut self, expression: &Expression, expected: Dimension) -> Extent {
         let mut expression = expression;
         loop {
@@ -241,8 +241,8 @@ impl Lowering<'_> {
         found.map_or(expression.extent, |name| name.span().into())
     }
 
-    /// What a body is made of may change with time and with states of its own, which know nothing of
-    /// how it moves; in systems it is fixed.
+    /// Mass properties may depend on time and on user-defined states, but not on the motion or on
+    /// inputs.
     pub fn check_course(&mut self, written: &Expression, ids: &[Id], rule: &str) -> Option<()> {
         if !self.work.follows_motion(ids) {
             return Some(());
@@ -266,7 +266,7 @@ impl Lowering<'_> {
         )
     }
 
-    /// What is fixed is known before the body moves; `rule` says why it has to be.
+    /// Fixed quantities are known before the body moves; `rule` gives the reason.
     pub fn check_early(&mut self, written: &Expression, ids: &[Id], rule: &str) -> Option<()> {
         if ids.iter().all(|id| self.work.graph.is_early(*id)) {
             return Some(());
@@ -278,7 +278,8 @@ impl Lowering<'_> {
         )
     }
 
-    /// The numbers that expressions are, with the defaults of parameters; `None` if one has none.
+    /// The numerical values of expressions, with the defaults of parameters; `None` if one has
+    /// none.
     pub fn all_known(&mut self, ids: &[Id], defaults: &Defaults) -> Option<Vec<Number>> {
         let graph = &mut self.work.graph;
         let known = graph.substitute(ids, |id| defaults.get(&id).copied());
@@ -295,7 +296,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// What a method of a point asks of its motion.
+    /// The motion of a point requested by a method.
     pub fn of_point(&mut self, method: &Ident, arguments: &[Expression]) -> Option<OfPoint> {
         let asked = match method.to_string().as_str() {
             "position" => OfPoint::Position,

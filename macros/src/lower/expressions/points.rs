@@ -11,8 +11,8 @@ use super::unit::lower_unit;
 use super::written::written_frame;
 
 impl Lowering<'_> {
-    /// A point: a name, `(x, y, z)` in body axes, from G or, in the composition of a body, from its
-    /// drawing origin, or a vector that is fixed in its frame.
+    /// A point: a name; `(x, y, z)` in body axes, from G or, in the composition of a body, from its
+    /// drawing origin; or a vector that is fixed in its frame.
     pub fn point(&mut self, expression: &Expression) -> Option<Point> {
         if let Some((components, found)) = self.tuple(expression)? {
             return self.fixed_point(self.state.body, components, found, expression);
@@ -96,7 +96,7 @@ impl Lowering<'_> {
         self.on_axis(Point::Fixed(frame, offset), written.extent)
     }
 
-    /// The offset of a point of the body from G; of another one, `what` is wrong with it.
+    /// The offset of a point of the body from G; for any other point, the error `what`.
     pub fn body_point(
         &mut self,
         written: &Expression,
@@ -192,7 +192,7 @@ impl Lowering<'_> {
     }
 }
 
-/// The dimension that fits the fewest of the others, the last of such, and one that it does not
+/// The dimension that fits the fewest of the others, the last such one, and one that it does not
 /// fit.
 fn odd_one_out(dimensions: &[Dimension]) -> Option<(usize, Dimension)> {
     let strangers = |index: usize| {

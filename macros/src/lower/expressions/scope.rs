@@ -1,5 +1,5 @@
-//! Values, and names for them: one namespace for parameters, inputs, points, locals and what is
-//! built in, and the order in which definitions are to be read.
+//! Values and their names: one namespace for parameters, inputs, points, locals and built-in
+//! names, and the order in which definitions must be read.
 
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
@@ -18,20 +18,20 @@ pub use crate::syntax::BUILT_IN;
 pub enum Value {
     Scalar(Id, Dimension),
     Vector(Vector, Dimension),
-    /// A vector of which components can be read: it says in which axes.
+    /// A vector whose components can be read, with the chosen axes.
     Components(Frame, Components, Dimension),
     Condition(Id),
     Point(Point),
-    /// A point of a body of a system, by the number of the body: its offset from that one's G.
+    /// A point of a body of a system, by the index of the body: its offset from that body's G.
     Carried(usize, Vector),
     /// The attitude of the body.
     Attitude,
-    /// A function of the Rust of the user, by its number.
+    /// A Rust function of the user, by its index.
     Function(usize),
 }
 
 impl Value {
-    /// What kind of thing this is, for messages.
+    /// The kind of this value, for messages.
     pub fn kind(self) -> &'static str {
         match self {
             Self::Scalar(..) => "a scalar",
@@ -45,13 +45,13 @@ impl Value {
     }
 }
 
-/// Names that mean something under `motion: rod(..)` alone.
+/// Names with a meaning under `motion: rod(..)` only.
 pub const OF_ROD: [&str; 2] = ["axis", "axis_rate"];
 
-/// Names of what loads may follow, where nothing else has them.
+/// Names of accelerations, unless a definition takes them.
 pub const FOLLOWED: [&str; 2] = ["acceleration", "angular_acceleration"];
 
-/// Built-in names of what changes while the body moves.
+/// Built-in names of quantities that change while the body moves.
 const CHANGING: [&str; 9] = [
     "t",
     "position",
@@ -64,7 +64,7 @@ const CHANGING: [&str; 9] = [
     "axis_rate",
 ];
 
-/// What the names of a description stand for.
+/// The meanings of the names of a description.
 #[derive(Clone)]
 pub struct Scope {
     /// `None` is known, but was reported and has no value.
@@ -77,7 +77,7 @@ pub struct Scope {
 }
 
 impl Scope {
-    /// `repeated` are names that mean two things.
+    /// `repeated` are ambiguous names.
     pub fn new(description: &Description, repeated: HashSet<String>) -> Self {
         let given = description.params.iter().chain(&description.inputs);
         let declarations = given.chain(&description.states);
@@ -97,17 +97,17 @@ impl Scope {
         self.values.entry(name.to_owned()).or_insert(value);
     }
 
-    /// Gives a name that has a value another one.
+    /// Replaces the value of a name.
     pub fn redefine(&mut self, name: &str, value: Option<Value>) {
         self.values.insert(name.to_owned(), value);
     }
 
-    /// Takes the value of a name, which gets one later.
+    /// Removes the value of a name, which gets one later.
     pub fn forget(&mut self, name: &str) {
         self.values.remove(name);
     }
 
-    /// `None` for a name that nobody defined.
+    /// `None` for an undefined name.
     #[allow(clippy::option_option, reason = "outer: not defined; inner: reported")]
     pub fn look_up(&mut self, name: &str) -> Option<Option<Value>> {
         if self.lost.contains(name.strip_prefix("r#").unwrap_or(name)) {
@@ -142,7 +142,7 @@ impl Scope {
         self.lost.contains(name)
     }
 
-    /// The value of a name, without saying that it is used.
+    /// The value of a name, without marking it as used.
     pub fn peek(&self, name: &str) -> Option<Value> {
         self.values.get(name).copied().flatten()
     }
@@ -152,13 +152,13 @@ impl Scope {
         CHANGING.contains(&name)
     }
 
-    /// The names that mean something.
+    /// The names with a meaning.
     pub fn known(&self) -> impl Iterator<Item = &str> {
         let own = self.values.keys().map(String::as_str);
         own.chain(BUILT_IN).chain(FOLLOWED)
     }
 
-    /// Whether anybody looked it up.
+    /// Whether it was looked up.
     pub fn has_used(&self, name: &str) -> bool {
         self.used.contains(name)
     }
@@ -173,15 +173,15 @@ impl Scope {
 pub struct Members {
     /// The names of all bodies, and then of all joints, whether they are read yet or not.
     pub declared: Vec<String>,
-    /// The locals of the system that depend on how it moves.
+    /// The locals of the system that depend on its motion.
     pub late: Vec<String>,
     pub bodies: Vec<BodyNames>,
     pub joints: Vec<JointNames>,
-    /// Whether it is known how they move.
+    /// Whether their motion is known.
     pub are_moving: bool,
     /// Whether joints have loads: in checks.
     pub are_loaded: bool,
-    /// What was asked of bodies: points, by the number of the body.
+    /// The requested points, by the index of the body.
     pub used: RefCell<HashSet<(usize, String)>>,
 }
 
@@ -189,27 +189,27 @@ pub struct Members {
 pub struct BodyNames {
     pub name: String,
     pub frame: Frame,
-    /// Where its G is, if others are drawn in the same frame.
+    /// The place of its G, if others are drawn in the same frame.
     pub origin: Option<Origin>,
     /// Its points, from its G.
     pub points: Offsets,
     /// Once the joints are known.
     pub motion: Option<BodyMotion>,
-    /// `position`, `attitude`, `mass`: what it has without a point.
+    /// `position`, `attitude`, `mass`: its quantities other than those of points.
     pub values: Values,
 }
 
-/// Where a point of a body is.
+/// The place of a point of a body.
 #[derive(Clone, Copy)]
 pub enum Offset {
     /// From its G.
     Known(Vector),
-    /// It follows from how the body moves, which is not known yet.
+    /// It depends on the motion of the body, which is not known yet.
     Late,
     Reported,
 }
 
-/// How a body moves.
+/// The motion of a body.
 #[derive(Clone, Copy)]
 pub struct BodyMotion {
     pub position: Vector,
@@ -220,13 +220,13 @@ pub struct BodyMotion {
     pub angular_acceleration: Components,
 }
 
-/// Words, and what they stand for.
+/// Words and their meanings.
 type Values = Vec<(&'static str, Value)>;
 
 /// Points, by name.
 pub type Offsets = Vec<(String, Offset)>;
 
-/// What is told of bodies and joints that move.
+/// The definitions of bodies and joints that move.
 pub struct Told {
     bodies: Vec<(Option<BodyMotion>, Values, Offsets)>,
     joints: Vec<Values>,
@@ -235,11 +235,11 @@ pub struct Told {
 /// A joint, as others see it.
 pub struct JointNames {
     pub name: String,
-    /// Its coordinates and their rates; without a value those that are reported.
+    /// Its coordinates and their rates; those without a value were reported.
     pub values: Values,
-    /// Whether anything is known of it.
+    /// Whether it is known.
     pub is_known: bool,
-    /// It closes a loop: the state has no coordinates of it.
+    /// It closes a loop: the state has no coordinates for it.
     pub closes: bool,
 }
 
@@ -257,7 +257,7 @@ impl Members {
         self.body(name).is_some() || self.joint(name).is_some()
     }
 
-    /// What is told of bodies and joints that move, to be restored.
+    /// The definitions of bodies and joints that move, to be restored.
     pub fn moving(&self) -> Told {
         let bodies = self.bodies.iter();
         Told {
@@ -281,12 +281,12 @@ impl Members {
         }
     }
 
-    /// Whether there is a system at all.
+    /// Whether there is a system.
     pub fn is_system(&self) -> bool {
         !self.declared.is_empty()
     }
 
-    /// The end of a message about a name that nothing has: its copies, or one like it of `others`.
+    /// The end of a message about an unknown name: its copies, or a similar one of `others`.
     pub fn hint<'a>(&'a self, name: &str, others: impl Iterator<Item = &'a str>) -> String {
         let copies = self.declared.iter().filter(|known| {
             known

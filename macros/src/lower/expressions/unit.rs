@@ -1,4 +1,4 @@
-//! The units that may stand in brackets, and what they are in SI.
+//! The units allowed in brackets, and their SI values.
 
 use crate::errors::{Errors, hint};
 use crate::fraction::Fraction;
@@ -67,7 +67,7 @@ const CUSTOMARY: [(&str, i64, u64, [i16; 7]); 17] = [
         [1, 1, -2, 0, 0, 0, 0],
     ),
     ("kgf", 980_665, 100_000, [1, 1, -2, 0, 0, 0, 0]),
-    // a slug is accelerated by 1 ft / s^2 by 1 lbf
+    // 1 lbf accelerates a slug by 1 ft / s^2
     (
         "slug",
         44_482_216_152_605,
@@ -135,7 +135,7 @@ pub fn lower_unit(unit: &UnitExpression, errors: &mut Errors) -> Option<(Number,
     known.filter(|_| is_known)
 }
 
-/// The unit as it is shown: in the words that are written.
+/// The unit for display: in the written words.
 pub fn written_unit(unit: &UnitExpression) -> Unit {
     let factors = unit.factors.iter();
     Unit(
@@ -145,7 +145,7 @@ pub fn written_unit(unit: &UnitExpression) -> Unit {
     )
 }
 
-/// What is said of a dimension that is none.
+/// The message for an impossible dimension.
 pub const TOO_LARGE: &str =
     "this has a unit with an exponent beyond 1000, or with a fraction of larger numbers";
 
@@ -160,7 +160,7 @@ fn raised(
     Some((factor, dimension.power(exponent)?))
 }
 
-/// What to write instead of an unknown unit, as far as it can be guessed.
+/// A suggestion for an unknown unit, if there is one.
 fn advice(word: &str) -> String {
     let lower = word.to_lowercase();
     let singular = lower.strip_suffix('s').unwrap_or(&lower);

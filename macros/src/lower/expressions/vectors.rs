@@ -171,8 +171,8 @@ impl Lowering<'_> {
         Some(Value::Vector(vector, asked.dimension()))
     }
 
-    /// `w x r`, of w in these axes, each part of r in its own: those of w change together, and `w x w`
-    /// is zero.
+    /// `w x r`, with w in these axes, each part of r in its own: the components of w change
+    /// together, and `w x w` is zero.
     pub fn swept(&mut self, offset: Vector, w: Components, axes: Frame) -> Vector {
         let mut swept = Vector::ZERO;
         let own = self.work.vector(axes, w);

@@ -1,4 +1,4 @@
-//! What can be told of an expression before it is read.
+//! Properties of an expression that are known before it is read.
 
 use crate::errors::Extent;
 use crate::families::Family;
@@ -78,7 +78,7 @@ pub fn has_placeholder(value: &Expression) -> bool {
     }
 }
 
-/// The axes in which a vector is written, as far as its form tells.
+/// The axes of a written vector, as far as its form shows.
 pub fn written_frame(value: &Expression) -> Option<FrameWord> {
     match &value.kind {
         Kind::Unit(operand, _) | Kind::Prefix(_, operand) => written_frame(operand),
@@ -89,7 +89,7 @@ pub fn written_frame(value: &Expression) -> Option<FrameWord> {
     }
 }
 
-/// The motion that a description names, if there is one of that name.
+/// The motion named by a description, if the name is valid.
 pub fn written_motion(description: &Description) -> Option<Motion> {
     let word = description.motion.as_ref()?.word.to_string();
     motion(&word)
@@ -99,7 +99,7 @@ pub fn motion(word: &str) -> Option<Motion> {
     MOTIONS.iter().find(|motion| motion.word == word).copied()
 }
 
-/// What stands in front of all methods and units.
+/// The expression before all methods and units.
 pub fn base(expression: &Expression) -> &Expression {
     let mut expression = expression;
     while let Kind::Method(inner, ..) | Kind::Unit(inner, _) = &expression.kind {
@@ -108,7 +108,7 @@ pub fn base(expression: &Expression) -> &Expression {
     expression
 }
 
-/// Whether an inertia is that of a solid, turned or not.
+/// Whether an inertia is that of a solid, rotated or not.
 pub fn is_of_solid(written: &Expression) -> bool {
     matches!(&base(written).kind, Kind::Call(word, _) if is_solid(word))
 }

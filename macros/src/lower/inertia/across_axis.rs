@@ -7,12 +7,12 @@ use crate::symbolic::{Id, Number};
 use super::draft::Draft;
 
 impl Lowering<'_> {
-    /// The inertia of a rod as one moment J: `J (1 - e e)` is the only tensor that it can have.
+    /// The inertia of a rod as one moment J: `J (1 - e e)` is the only possible tensor.
     pub fn across_axis(&mut self, draft: Draft) -> Option<Draft> {
         let Inertia::Spatial(rows) = draft.inertia else {
             return Some(draft);
         };
-        // what is wrong with the direction is reported
+        // the error in the direction is reported
         let Attitude::Line { direction, .. } = self.work.attitude(self.state.body) else {
             return None;
         };
@@ -23,7 +23,7 @@ impl Lowering<'_> {
         let mut rest: Vec<Id> = Vec::new();
         for i in 0..3 {
             for j in 0..3 {
-                // J e e, less J if i = j, and the entry
+                // J e e, minus J if i = j, and the entry
                 let dyad = graph.multiply(direction[i], direction[j]);
                 let dyad = graph.multiply(moment, dyad);
                 let sum = graph.add(rows[i][j], dyad);
@@ -50,6 +50,6 @@ impl Lowering<'_> {
     }
 }
 
-/// How the inertia of a rod is written.
+/// The expected form of the inertia of a rod.
 pub const FORMS_OF_ROD: &str =
     "write the one moment across its axis, `rod(l)`, or `compose([..])` of rods and points";

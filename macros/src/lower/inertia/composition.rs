@@ -1,6 +1,6 @@
 //! A body composed of parts: its mass, its center of mass and its inertia about it.
 //!
-//! Parts and points are written from one drawing origin. Nothing is ever moved back to G by a
+//! Parts and points are relative to one drawing origin. Nothing is ever moved back to G by a
 //! subtraction: offsets are taken from the first part, then from G, and the inertia is built up
 //! about G (`docs/trust.md`, H3).
 
@@ -16,7 +16,7 @@ const NO_MASS: &str = "this part has no mass: write `.mass(1[kg])` behind it";
 const HOLE: &str = "a part of negative mass is a hole, and a hole is a solid or a point: write \
                     `cylinder(r, h).mass(..)`";
 
-/// A part, read.
+/// A part after reading.
 struct Member {
     mass: Id,
     is_hole: bool,
@@ -86,7 +86,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// Points are counted from G, which stays where it is in the body.
+    /// Points are relative to G, which must stay fixed in the body.
     fn check_center(
         &mut self,
         written: &Composition,
@@ -166,7 +166,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// The mass of a part that is more than a point, and whether it is that of a hole.
+    /// The mass of a part that is more than a point, and whether it is a hole.
     fn mass_of(&mut self, part: &Part, defaults: &Defaults) -> Option<(Id, bool)> {
         if let Some(mass) = &part.mass {
             return self.part_mass(mass.as_ref()?, defaults);
@@ -174,7 +174,7 @@ impl Lowering<'_> {
         let form = base(&part.form);
         match &form.kind {
             Kind::Poisoned => None,
-            // that nothing can be calculated with a form is all there is to say
+            // the only error is that nothing can be calculated with a form
             Kind::Chain(..) | Kind::Prefix(..) if !self.motion.has_one_moment() => None,
             Kind::Call(word, _) | Kind::Record(word, _) => self.report(word.span(), NO_MASS),
             _ => self.report(form.extent, NO_MASS),
@@ -225,7 +225,7 @@ impl Lowering<'_> {
         Some((mass, known.is_some_and(|known| known.is_negative())))
     }
 
-    /// Where a part is.
+    /// The place of a part.
     fn place(&mut self, written: &Expression) -> Option<Components> {
         self.body_point(written, |place| {
             format!("a part is fixed in the body, and this point is {place}")

@@ -1,38 +1,38 @@
-//! An inertia as it was written, entry by entry: what an error about it underlines.
+//! An inertia as written, entry by entry, with the places that errors underline.
 
 use crate::errors::Extent;
 use crate::model::{Defaults, Inertia, Mass};
 use crate::symbolic::{Id, Number};
 use crate::syntax::{Expression, Kind, Prefix};
 
-/// What an inertia is read with.
+/// The context of reading an inertia.
 #[derive(Clone, Copy)]
 pub struct Context<'d> {
     pub mass: Mass,
     pub defaults: &'d Defaults,
 }
 
-/// An inertia as it was written, with the places to blame.
+/// An inertia as written, with the places to blame.
 pub struct Draft {
     pub inertia: Inertia,
     pub entries: Vec<Entry>,
     pub extent: Extent,
 }
 
-/// An entry as it was written.
+/// An entry as written.
 pub struct Entry {
     pub row: usize,
     pub column: usize,
     pub extent: Extent,
     /// Its value, before it is moved to G.
     pub value: Id,
-    /// Its number, if it is a plain one that can be mended.
+    /// Its number, if it is a plain one that can be corrected.
     pub literal: Option<Number>,
     pub digits: String,
 }
 
 impl Draft {
-    /// What was written for an entry of the symmetric matrix.
+    /// The written form of an entry of the symmetric matrix.
     pub fn entry(&self, row: usize, column: usize) -> Option<&Entry> {
         self.entries.iter().find(|entry| {
             (entry.row, entry.column) == (row, column) || (entry.column, entry.row) == (row, column)
@@ -71,7 +71,7 @@ fn parse_literal(digits: &str) -> Option<Number> {
     }
 }
 
-/// Where the number stands, without its unit.
+/// The place of the number, without its unit.
 fn number_extent(value: &Expression) -> Extent {
     match &value.kind {
         Kind::Unit(inner, _) => number_extent(inner),

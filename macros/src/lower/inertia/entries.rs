@@ -112,7 +112,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// Reports moments of inertia that are not given.
+    /// Reports missing moments of inertia.
     fn check_diagonals(&mut self, word: &Ident, fields: &[(Ident, Expression)]) -> Option<()> {
         let is_missing = |diagonal: &&str| !fields.iter().any(|(name, _)| name == diagonal);
         let missing = ["xx", "yy", "zz"].into_iter().filter(is_missing);

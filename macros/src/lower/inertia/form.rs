@@ -1,4 +1,4 @@
-//! Inertia: from what was written to the tensor about G, checked.
+//! Inertia: from the written form to the tensor about G, checked.
 
 use proc_macro2::Ident;
 
@@ -13,7 +13,7 @@ use super::draft::{Context, Draft, Entry};
 
 impl Lowering<'_> {
     /// Lowers the value of `inertia:` and checks it as far as it is known; `defaults` are the
-    /// values of parameters that a body is built from when nothing else is said.
+    /// default values of parameters.
     pub fn inertia(
         &mut self,
         description: &Description,
@@ -46,7 +46,7 @@ impl Lowering<'_> {
             );
         };
         let value = written.value.as_ref()?;
-        // what is not needed is read all the same, so that its mistakes are found
+        // an unneeded inertia is still read, so that its errors are found
         let draft = self.form(value, Context { mass, defaults })?;
         let turns = self.motion.has_attitude();
         match &base(value).kind {
@@ -75,7 +75,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// An inertia, constant, as the kind of motion has it.
+    /// A constant inertia, in the form of the kind of motion.
     pub fn form(&mut self, written: &Expression, context: Context<'_>) -> Option<Draft> {
         let mut draft = self.draft(written, context)?;
         if let (true, Inertia::Spatial(rows)) = (self.motion.is_planar, draft.inertia) {
@@ -145,7 +145,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// A form of inertia with a unit behind it.
+    /// A form of inertia followed by a unit.
     fn in_unit(
         &mut self,
         inner: &Expression,
@@ -172,7 +172,7 @@ impl Lowering<'_> {
         Some(self.scale_draft(factor, draft))
     }
 
-    /// What is no inertia of a body in space.
+    /// Reports an expression that is no inertia of a body in space.
     fn not_in_space(&mut self, written: &Expression) -> Option<Draft> {
         match &written.kind {
             Kind::Call(word, _) if word == "tensor" || word == "products" => self.report(
@@ -233,14 +233,14 @@ impl Lowering<'_> {
     }
 }
 
-/// Why an inertia is early.
+/// The reason why an inertia must be early.
 pub const CONSTANT: &str = "the inertia is constant in body axes";
 
 pub const FORMS: &str = "write `principal(a, b, c)`, `tensor { xx, yy, zz, xy, yz, zx }`, \
                          `products { .. }` or a solid such as `cylinder(r, h)`; tensor and \
                          products differ in the sign of the off-diagonals, so the word must be said";
 
-/// Whether one of the forms of inertia stands somewhere in `expression`.
+/// Whether one of the forms of inertia occurs in `expression`.
 fn has_form(expression: &Expression) -> bool {
     let mut found = false;
     expression.visit(|part| {

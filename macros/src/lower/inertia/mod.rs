@@ -1,4 +1,4 @@
-//! The inertia, in every form in which it may be written.
+//! The inertia, in all its written forms.
 
 mod across_axis;
 mod composition;

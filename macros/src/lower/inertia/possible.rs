@@ -1,4 +1,4 @@
-//! Which inertias a body can have, and the decimal point that one may have lost.
+//! Possible inertias, and suggestions for a misplaced decimal point.
 //!
 //! A tensor is possible if it is symmetric and half its trace minus itself is positive
 //! semidefinite, which is the triangle inequality in every frame (`docs/statements.md`, F08).
@@ -23,13 +23,13 @@ impl Lowering<'_> {
         let all: Vec<Id> = entries.iter().copied().chain(written).collect();
         let numbers = self.all_known(&all, defaults);
         let Some(numbers) = numbers else {
-            // it depends on what is given when a body is built, and the rest is checked there
+            // it depends on values given when a body is built, and `new` checks the rest
             return self.check_known_moments(draft);
         };
         match draft.inertia {
             Inertia::Absent => Some(()),
             Inertia::Scalar(_) if numbers[0].is_positive() => Some(()),
-            // a point swings about a pin away from it
+            // a point swings about a pin at a distance
             Inertia::Scalar(_) if numbers[0].is_zero() && self.is_held_off_center() => Some(()),
             Inertia::Scalar(_) => self.report(
                 draft.extent,
@@ -50,9 +50,9 @@ impl Lowering<'_> {
         }
     }
 
-    /// Refuses a body that turns freely and is so thin that its turning about its own axis has few
-    /// correct digits (H1), although a body can have this inertia; what is made from parameters is
-    /// left to `new`.
+    /// Refuses a body that rotates freely and is so thin that its rotation about its own axis has
+    /// few correct digits (H1), although such an inertia is possible; `new` checks an inertia made
+    /// from parameters.
     pub fn check_not_a_rod(&mut self, inertia: Inertia, place: Extent) -> Option<()> {
         if self.motion.orientation != Orientation::Quaternion || self.motion.is_supported() {
             return Some(());
@@ -88,7 +88,7 @@ impl Lowering<'_> {
         support.is_some_and(|support| !self.work.graph.is_zero_vector(&support.offset))
     }
 
-    /// Whatever the rest is: a moment that is known is positive.
+    /// Whatever the rest is: a known moment must be positive.
     fn check_known_moments(&mut self, draft: &Draft) -> Option<()> {
         for entry in draft
             .entries
@@ -115,8 +115,8 @@ impl Lowering<'_> {
         Some(())
     }
 
-    /// Checks what parts make together. Each of them is possible, so that without holes the worst
-    /// that can be is that all mass lies on one line.
+    /// Checks a composed inertia. Each part is possible, so without holes the only possible
+    /// defect is that all mass lies on one line.
     pub fn check_composed(
         &mut self,
         inertia: Inertia,
@@ -164,7 +164,7 @@ impl Lowering<'_> {
         )
     }
 
-    /// `values` are those of the entries as they were written, in SI units.
+    /// `values` are those of the entries as written, in SI units.
     fn report_violation(
         &mut self,
         draft: &Draft,
@@ -205,7 +205,7 @@ impl Lowering<'_> {
     }
 }
 
-/// A literal that was written for an entry, and what it stands for in SI units.
+/// A literal written for an entry, and its value in SI units.
 struct Literal<'a> {
     row: usize,
     column: usize,
@@ -213,8 +213,8 @@ struct Literal<'a> {
     value: &'a Number,
 }
 
-/// The one literal, if there is only one, that a moved decimal point turns into one of a possible
-/// inertia: its row and column, and what to write.
+/// The literal, if there is exactly one, whose moved decimal point gives a possible
+/// inertia: its row and column, and the corrected text.
 fn mend(matrix: &Matrix, literals: &[Literal<'_>]) -> Option<(usize, usize, String)> {
     for shift in 1..=3 {
         let mut found = Vec::new();

@@ -1,4 +1,4 @@
-//! Solids of uniform density, and what their moments of inertia are.
+//! Solids of uniform density, and their moments of inertia.
 
 use proc_macro2::Ident;
 
@@ -11,7 +11,7 @@ use crate::syntax::Expression;
 use super::draft::{Context, Draft};
 
 impl Lowering<'_> {
-    /// `cylinder(r, h)` and the others: exactly, as everything that is built from numbers.
+    /// `cylinder(r, h)` and the others, computed exactly.
     pub fn solid(
         &mut self,
         word: &Ident,

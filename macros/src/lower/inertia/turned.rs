@@ -1,7 +1,7 @@
-//! Inertia in turned axes.
+//! Inertia in rotated axes.
 //!
-//! A tensor is `lambda` times the unit matrix, and for each principal moment that differs from
-//! `lambda` a dyad along its axis. Turning moves the dyads alone, so that equal moments stay equal
+//! A tensor is `lambda` times the unit matrix, plus a dyad along the axis of each principal moment
+//! that differs from `lambda`. Rotations move only the dyads, so equal moments stay equal
 //! and quarter turns are exact.
 
 use proc_macro2::Ident;
@@ -18,7 +18,7 @@ use super::form::CONSTANT;
 type Matrix = [Components; 3];
 
 impl Lowering<'_> {
-    /// `.along(direction)`: the axis of symmetry, which is z before, along `direction`.
+    /// `.along(direction)`: rotates the axis of symmetry, initially z, to `direction`.
     pub fn along(&mut self, draft: Draft, place: &Ident, written: &[Expression]) -> Option<Draft> {
         self.refuse_of_rod(place)?;
         let [written] = written else {
@@ -57,7 +57,7 @@ impl Lowering<'_> {
         Some(Draft { inertia, ..draft })
     }
 
-    /// `.turned(axis, angle)`: turned about `axis`, by the right hand.
+    /// `.turned(axis, angle)`: rotated about `axis`, by the right-hand rule.
     pub fn turned(&mut self, draft: Draft, place: &Ident, written: &[Expression]) -> Option<Draft> {
         if self.motion.is_planar {
             return self.report(
@@ -95,7 +95,7 @@ impl Lowering<'_> {
         Some(())
     }
 
-    /// A constant vector in body axes that is not zero.
+    /// A constant nonzero vector in body axes.
     fn body_direction(&mut self, written: &Expression) -> Option<Components> {
         let vector = self.vector(written, Dimension::ANY, "a direction")?;
         if !self.work.is_in(vector, self.state.body) {
@@ -142,7 +142,7 @@ fn from_dyads(graph: &mut Graph, lambda: Id, dyads: &[(Id, Matrix)]) -> Matrix {
     })
 }
 
-/// The matrix that turns by an angle about a direction: `c 1 + s [n] + (1 - c) n n`.
+/// The matrix of a rotation by an angle about a direction: `c 1 + s [n] + (1 - c) n n`.
 fn rotation(graph: &mut Graph, direction: Components, angle: Id) -> Matrix {
     let (cosine, sine) = cosine_and_sine(graph, angle);
     let square = graph.norm_squared(direction);

@@ -10,7 +10,7 @@ use crate::model::{AXES, Constraint, Declared, Dimension, Frame, Level, Meaning,
 use crate::symbolic::Id;
 use crate::syntax::{Definition, Description, Expression};
 
-/// Where a definition mentions a name, itself or by a local.
+/// The place where a definition mentions a name, directly or through a local.
 fn mention<'d>(
     written: &'d Definition,
     name: &str,
@@ -36,7 +36,7 @@ fn mention<'d>(
 }
 
 impl Lowering<'_> {
-    /// The scalars of all constraints, with inputs that say how they move.
+    /// The scalars of all constraints; their inputs must be `.moving`.
     pub fn constraints(
         &mut self,
         description: &Description,
@@ -57,7 +57,7 @@ impl Lowering<'_> {
         all
     }
 
-    /// The scalars of one constraint, each with what it speaks of.
+    /// The scalars of one constraint, each with its level.
     fn constraint(&mut self, written: &Definition) -> Option<Vec<Constraint>> {
         let (name, value) = (&written.name, written.value.as_ref()?);
         let extent = value.extent.underlining(name.span());
@@ -87,7 +87,7 @@ impl Lowering<'_> {
         Some(constraints)
     }
 
-    /// What a constraint is written as, or a link stands for.
+    /// The written form of a constraint, or the meaning of a link.
     pub fn constrained(&mut self, expression: &Expression) -> Option<Value> {
         match self.link(expression) {
             Some(link) => Some(Value::Scalar(link?, Dimension::LENGTH)),
@@ -122,7 +122,8 @@ impl Lowering<'_> {
         Some(scalars)
     }
 
-    /// A constraint is differentiated twice, and states of one's own have one rate.
+    /// Reports user-defined states in constraints: a constraint is differentiated twice, but they
+    /// have one rate.
     fn check_no_state(&mut self, expression: &Expression, value: Value) -> Option<()> {
         let components = match value {
             Value::Scalar(id, _) => vec![id],
@@ -144,7 +145,7 @@ impl Lowering<'_> {
         )
     }
 
-    /// A constraint is differentiated, and so are the inputs in it.
+    /// Inputs in a constraint are differentiated with it.
     fn check_inputs(
         &mut self,
         written: &Definition,
@@ -208,7 +209,7 @@ impl Lowering<'_> {
             .collect()
     }
 
-    /// `None` of what depends on no part of the state.
+    /// `None` if it depends on no part of the state.
     fn level(&self, value: Id) -> Option<Level> {
         use Variable::{Angle, AngularVelocity, Axis, AxisRate, Position, Quaternion, Velocity};
         let depends = |variables: &[Variable]| self.work.depend_on(&[value], variables);

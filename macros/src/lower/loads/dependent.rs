@@ -1,4 +1,4 @@
-//! What an expression depends on, and the name in it that is to blame.
+//! The dependencies of an expression, and the name in it that is to blame.
 
 use std::collections::HashSet;
 
@@ -25,7 +25,7 @@ impl Lowering<'_> {
             .collect()
     }
 
-    /// Whether any of `roots` depends on one of the symbols, through turned vectors too.
+    /// Whether any of `roots` depends on one of the symbols, also through rotated vectors.
     pub fn depends(&self, roots: &[Id], symbols: &[Id]) -> bool {
         let mut followed = HashSet::new();
         let mut pending = roots.to_vec();
@@ -85,7 +85,7 @@ impl Lowering<'_> {
         found.unwrap_or(expression.extent)
     }
 
-    /// Nothing but given loads follows an acceleration.
+    /// Only given loads may depend on an acceleration.
     pub fn check_no_acceleration(
         &mut self,
         written: &Expression,
@@ -101,7 +101,7 @@ impl Lowering<'_> {
         )
     }
 
-    /// Where an expression with these parts names an acceleration.
+    /// The place where an expression with these parts names an acceleration.
     pub fn mentioned_acceleration(&self, written: &Expression, roots: &[Id]) -> Option<Extent> {
         let all = self.work.meanings.accelerations();
         let all: Vec<Id> = all
@@ -111,7 +111,7 @@ impl Lowering<'_> {
         depends.then(|| self.dependent_name(written, &all, &ACCELERATIONS))
     }
 
-    /// Where an expression names an unknown reaction.
+    /// The place where an expression names an unknown reaction.
     pub fn mentioned_reaction(&self, value: &Expression) -> Option<Extent> {
         let names = value.names();
         let found = names

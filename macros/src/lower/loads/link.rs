@@ -1,4 +1,4 @@
-//! A link without mass: a rod with an end on each of two bodies that keeps their distance.
+//! A massless link: a rod between two bodies that keeps the distance of its ends.
 
 use crate::errors::Extent;
 use crate::lower::expressions::{Lowering, Value};
@@ -8,7 +8,7 @@ use crate::syntax::{Expression, Kind, LINK, call};
 
 const FORM: &str = "link(P, Q, length)";
 
-/// Where an end is, and on which body, if that is not the ground.
+/// The place of an end, and its body, if that is not the ground.
 type End = (Option<usize>, Vector);
 
 /// Whether it is written as a link.
@@ -17,13 +17,13 @@ pub fn is_link(written: &Expression) -> bool {
 }
 
 impl Lowering<'_> {
-    /// Of `link(P, Q, length)` what it keeps at zero, in m, if it is one:
+    /// For `link(P, Q, length)`, the scalar in m that it keeps at zero, if it is a link:
     ///
     /// ```text
     /// (length^2 - PQ^2) / (2 length)
     /// ```
     ///
-    /// whose gradient by Q has the size 1 and points to P: the load that keeps it is the tension.
+    /// Its gradient by Q has the size 1 and points to P: the load that keeps it is the tension.
     #[allow(clippy::option_option, reason = "outer: not a link; inner: reported")]
     pub fn link(&mut self, written: &Expression) -> Option<Option<Id>> {
         let ((word, arguments), methods) = call(written)?;
@@ -99,7 +99,7 @@ impl Lowering<'_> {
                         "expected a point that is fixed in its body, and this one moves in it";
                     return self.report(written.extent, message);
                 }
-                // nothing is known of how a body moves whose joint is reported
+                // the motion of a body whose joint is reported is unknown
                 let position = known.motion?.position;
                 Some((Some(body), self.work.add(position, offset)))
             }
@@ -120,7 +120,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// What a link or a cable is made with: a number that is not negative, and follows from no state.
+    /// A property of a link or a cable: a nonnegative number that does not depend on the state.
     pub fn property(
         &mut self,
         written: &Expression,

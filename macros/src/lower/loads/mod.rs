@@ -1,4 +1,4 @@
-//! Loads, unknown ones, constraints and potentials.
+//! Given and unknown loads, constraints and potentials.
 
 mod constraint;
 mod dependent;

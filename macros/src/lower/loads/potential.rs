@@ -1,9 +1,9 @@
 //! Potentials: scalars U whose forces and moments are derived.
 //!
-//! They are read with turned vectors kept apart ([`crate::model::kinematics::turned_vector`]), and
-//! so are the locals that they are made of. Where a length is taken of a vector with parts in both
-//! axes, either of them can be turned: there are two forms then, and mechanics takes the cheaper
-//! one.
+//! They are read with rotated vectors kept apart ([`crate::model::kinematics::turned_vector`]), and
+//! so are the locals in them. If the length of a vector with parts in both
+//! axes is taken, either part can be rotated: then there are two forms, and mechanics takes the
+//! cheaper one.
 
 use crate::errors::{every, silently};
 use crate::lower::definitions::{Definition, definition_order};
@@ -12,7 +12,7 @@ use crate::model::{Charges, Dimension, Displaced, Form, Frame, Potential, Potent
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Description, Expression, Load};
 
-/// Words of what moves.
+/// Words for quantities of the motion.
 const RATES: [&str; 5] = [
     "velocity",
     "angular_velocity",
@@ -57,7 +57,7 @@ impl Lowering<'_> {
         Some(Potentials { list, forms })
     }
 
-    /// The energies in one form, and whether there is another one.
+    /// The energies in one form, and whether there is another form.
     fn potential_form(&mut self, description: &Description, mixed: Frame) -> Option<(Form, bool)> {
         let (values, position) = (self.scope.values(), self.state.position);
         let zero = self.work.graph.zero();
@@ -99,8 +99,8 @@ impl Lowering<'_> {
         Some((form, turns.met_mixed))
     }
 
-    /// The position of G, where it is a coordinate; else a virtual displacement, which is added to
-    /// it.
+    /// The position of G, where it is a coordinate; otherwise a virtual displacement, which is
+    /// added to it.
     fn displacement(&mut self) -> Components {
         if self.motion.translates() {
             return self.work.part(self.state.position, Frame::WORLD);
@@ -111,9 +111,9 @@ impl Lowering<'_> {
         displacement
     }
 
-    /// Reads the locals again, with turned vectors kept apart.
+    /// Reads the locals again, with rotated vectors kept apart.
     pub fn locals_apart(&mut self, description: &Description) {
-        // circles are reported already
+        // cycles are reported already
         let (order, _) = silently(|errors| definition_order(description, errors));
         for definition in order {
             let (Definition::Local(_), (name, Some(written))) =
@@ -128,14 +128,14 @@ impl Lowering<'_> {
         }
     }
 
-    /// All potentials of a description, as functions of what is kept apart.
+    /// All potentials of a description, as functions of the separate symbols.
     pub fn energies(&mut self, description: &Description, rates: &[Id]) -> Option<Vec<Id>> {
         let written = description.potentials.iter();
         every(written.map(|potential| self.potential(potential.value.as_ref(), rates)))
     }
 
-    /// A potential follows from where the body is and how it is turned, from the time, parameters
-    /// and inputs, and not from any of these `rates`.
+    /// A potential depends on the place and attitude of the body, on time, parameters
+    /// and inputs, but not on any of these `rates`.
     fn potential(&mut self, written: Option<&Expression>, rates: &[Id]) -> Option<Id> {
         let written = written?;
         let energy = self.scalar(written, Dimension::MOMENT, "a potential")?;

@@ -1,5 +1,5 @@
 //! Loads with unknown components, `body(_, _, 0).at(P)` and `moment(body(_, _, 0))`, or along a
-//! direction of their own, `_ * direction`: reactions, and drives that inverse dynamics solves for.
+//! given direction, `_ * direction`: reactions, and drives that inverse dynamics solves for.
 
 use proc_macro2::Ident;
 
@@ -13,7 +13,7 @@ use crate::symbolic::{Components, Id, Stage};
 use crate::syntax::{self, Description, Expression, Kind, UnitExpression};
 
 impl Lowering<'_> {
-    /// A reaction with unknown components; `index` is its place among them.
+    /// A reaction with unknown components, with its index among them.
     pub fn reaction(&mut self, index: usize, written: &syntax::Load) -> Option<Reaction> {
         let point = self.point_of_reaction(written);
         let reaction = self.open_load(written, point, |_, _| Some(()))?;
@@ -26,7 +26,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// A drive with unknown components. In the accelerations it is at rest.
+    /// A drive with unknown components. In the accelerations it is zero.
     pub fn drive(&mut self, written: &syntax::Load, is_asked_for: bool) -> Option<Reaction> {
         let value = written.vector.as_ref()?;
         let place = placeholders(value).next()?.1;
@@ -49,7 +49,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// A load with unknown components, if what is known of it may be so.
+    /// A load with unknown components, if its known part is valid.
     fn open_load(
         &mut self,
         written: &syntax::Load,
@@ -84,7 +84,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// The point at which a reaction acts, which turns with the body if a support is solved for.
+    /// The point of action of a reaction, which rotates with the body if a support is solved for.
     fn point_of_reaction(&mut self, written: &syntax::Load) -> Option<Point> {
         let value = written.vector.as_ref()?;
         if written.kind == LoadKind::Force && !self.motion.knows_position() {

@@ -9,7 +9,7 @@ use crate::model::{Charges, Dimension, Frame, Vector};
 use crate::symbolic::{Components, Graph, Id};
 use crate::syntax::{Charge, Expression, Load};
 
-/// Names of what changes with the state.
+/// Names of quantities that change with the state.
 const STATE: [&str; 8] = [
     "position",
     "velocity",
@@ -22,7 +22,7 @@ const STATE: [&str; 8] = [
 ];
 
 impl Lowering<'_> {
-    /// The energy of the charges in the field, and the sums it is made of.
+    /// The energy of the charges in the field, and the sums in it.
     pub fn uniform_field(&mut self, written: &Load) -> Option<(Id, Charges)> {
         let name = written.name.to_string();
         let field = written
@@ -37,8 +37,8 @@ impl Lowering<'_> {
         let net: Vec<Id> = charges.iter().map(|(charge, _)| *charge).collect();
         let net = graph.sum(&net);
         let dipole = moment(graph, &charges);
-        // where the motion of G is not modelled, positions count from G; where a point of the body
-        // is held, they do from there
+        // if the motion of G is not modelled, positions are relative to G; if a point of the body
+        // is held, they are relative to that point
         let position = self.state.position;
         let [body, world] =
             [self.state.body, Frame::WORLD].map(|frame| self.work.part(position, frame));
@@ -60,7 +60,7 @@ impl Lowering<'_> {
         Some((energy, Charges { count, net, dipole }))
     }
 
-    /// A vector that is the same everywhere, and its dimension.
+    /// A uniform vector, and its dimension.
     fn field_strength(&mut self, written: &Expression) -> Option<(Vector, Dimension)> {
         let value = self.value(written)?;
         let (Some(vector), Some(dimension)) = (self.as_vector(value), dimension(value)) else {
@@ -116,7 +116,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// It may depend on the time, on parameters and on inputs.
+    /// It may depend on time, parameters and inputs.
     fn check_same_everywhere(
         &mut self,
         written: &Expression,
@@ -137,7 +137,7 @@ impl Lowering<'_> {
         )
     }
 
-    /// The symbols of the state, those of turned vectors among them.
+    /// The symbols of the state, including those of rotated vectors.
     fn state_symbols(&self) -> Vec<Id> {
         let state = &self.state;
         let mut roots = self.work.entries(&[state.position, state.velocity]);

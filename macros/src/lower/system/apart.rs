@@ -1,10 +1,10 @@
-//! What follows from how bodies move, read with each of them moved by itself.
+//! Quantities that depend on the motion of bodies, read with each body displaced separately.
 //!
-//! What is written in the places and axes of bodies, and in how these change, acts on these bodies;
-//! what is written in the coordinates of joints, along them. So a position is read as where its joint
-//! is, which is held, and a displacement; the axes of a body as turned against the world at once,
-//! whatever carries it; its velocity, and the coordinates of joints that are driven, as symbols of
-//! their own.
+//! An expression of places and axes of bodies, and of their rates, acts on these bodies; an
+//! expression of joint coordinates acts along them. So a position is read as the place of its
+//! joint, which is held fixed, plus a displacement; the axes of a body as rotated directly relative
+//! to the world, whatever carries it; and its velocity, and the coordinates of driven joints, as
+//! separate symbols.
 
 use std::collections::HashSet;
 
@@ -19,7 +19,7 @@ use super::reading::body::Draft;
 use super::reading::names::for_copy;
 use super::reading::reader::Reader;
 
-/// What is put in the place of bodies and joints that move.
+/// The replacements of moving bodies and joints.
 #[derive(Default)]
 struct Apart {
     bodies: Vec<Displaced>,
@@ -28,7 +28,7 @@ struct Apart {
 }
 
 impl Reader<'_> {
-    /// Reads scalars with each body apart. `read` is told of the symbols of all that is a rate.
+    /// Reads scalars with each body apart. `read` gets the symbols of all rates.
     pub fn apart(
         &mut self,
         drafts: &mut [Draft<'_>],
@@ -49,7 +49,7 @@ impl Reader<'_> {
             .collect();
         let bodies = apart.bodies.iter().map(|displaced| displaced.body);
         self.work.turns = Some(Turns::of_bodies(self.motion.axes(), bodies));
-        // what is wrong with these is reported already
+        // errors in these are reported already
         silently(|errors| self.late_points(drafts, errors));
         let values = read(self, drafts, &rates);
         let turns = self.work.turns.take()?;
@@ -75,7 +75,7 @@ impl Reader<'_> {
         Some(form)
     }
 
-    /// Reads scalars of what stands beside the bodies, and of each of them, with their locals apart.
+    /// Reads scalars next to the bodies, and of each of them, with their locals apart.
     pub fn each_apart(
         &mut self,
         drafts: &mut [Draft<'_>],
@@ -102,7 +102,7 @@ impl Reader<'_> {
         Some(every(all)?.concat())
     }
 
-    /// What the symbols of velocities stand for, if there are any in what was read.
+    /// The meanings of velocity symbols, if the expressions contain any.
     fn tell_rates(&mut self, form: &mut Form, drafts: &[Draft<'_>], joints: &[TreeJoint]) {
         let turned = form.turns.iter().flat_map(|turn| turn.vector);
         let roots: Vec<Id> = form.values.iter().copied().chain(turned).collect();
@@ -133,7 +133,7 @@ impl Reader<'_> {
         self.work.add(state.velocity, swept)
     }
 
-    /// Gives each body a place and a velocity of its own, and axes that are turned against those of
+    /// Gives each body a separate place and velocity, and axes rotated relative to those of
     /// the world.
     fn displace(&mut self, drafts: &mut [Draft<'_>], joints: &[TreeJoint]) -> Apart {
         let copies = self.work.copied_frames();
@@ -194,9 +194,9 @@ impl Reader<'_> {
         apart
     }
 
-    /// The coordinates of joints, each with the symbol by which it is held.
+    /// The coordinates of joints, each with the symbol that replaces it.
     fn held_coordinates(&mut self, joints: &[TreeJoint]) -> Vec<(Id, Id)> {
-        // what is prescribed is a function of time, or a number that stands elsewhere too
+        // a prescribed coordinate is a function of time, or a number that occurs elsewhere too
         let open = joints.iter().filter(|joint| !joint.is_driven());
         let places = open.flat_map(|joint| &joint.coordinates.0);
         let places =
@@ -206,7 +206,7 @@ impl Reader<'_> {
             .collect()
     }
 
-    /// Tells all of how a body moves now; returns what its angle is told by, in the plane.
+    /// Registers the new motion of a body; returns the symbol of its angle, in the plane.
     fn told_apart(
         &mut self,
         joint: &TreeJoint,
@@ -254,7 +254,7 @@ impl Reader<'_> {
         angle
     }
 
-    /// The coordinates of a joint between bodies, those of a driven one by symbols of their own.
+    /// The coordinates of a joint between bodies, those of a driven one by separate symbols.
     fn coordinates_apart(&mut self, number: usize, joint: &TreeJoint, apart: &mut Apart) {
         if joint.kind.is_free() {
             return;

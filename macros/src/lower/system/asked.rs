@@ -1,4 +1,4 @@
-//! What outputs are asked of: some of the joints, and points of bodies.
+//! Arguments of outputs: some of the joints, and points of bodies.
 
 use proc_macro2::Ident;
 
@@ -13,7 +13,7 @@ use super::outline::name_of_point;
 use super::reading::reader::Reader;
 
 impl Reader<'_> {
-    /// What is claimed of a system: of joints, too, what they carry.
+    /// The claims about a system, including the loads of joints.
     pub fn checks(&mut self, holding: &[Ident], errors: &mut Errors) -> Option<Checks> {
         let top = &self.system.top;
         let held = if top.checks.is_empty() {
@@ -55,7 +55,7 @@ impl Reader<'_> {
         (joint.clone(), [force, moment])
     }
 
-    /// Whether the joints behind `reactions` are joints, and hold something, or are what may be `kept`.
+    /// Checks that the names after `reactions` are joints that hold something, or are among `kept`.
     pub fn check_held(&self, joints: &[Option<Written>], kept: &[Ident], errors: &mut Errors) {
         let held = self.system.held.iter().flatten();
         let mut seen: Vec<&Ident> = Vec::new();
@@ -82,7 +82,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The points behind `jacobian`: the body of each, and where it is there.
+    /// The points after `jacobian`: the body of each, and the offset there.
     pub fn asked_points(&mut self, errors: &mut Errors) -> Option<Vec<(usize, Components)>> {
         let system = self.system;
         let (mut seen, mut found): (Vec<(Ident, &Expression)>, _) = (Vec::new(), Some(Vec::new()));
@@ -116,7 +116,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether the field of this name is that of a point of another body.
+/// Whether the field of this name belongs to a point of another body.
 fn is_another(seen: &[(Ident, &Expression)], name: &Ident, written: &Expression) -> bool {
     let mut seen = seen.iter();
     let first = seen.find(|(other, _)| other == name);

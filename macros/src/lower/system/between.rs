@@ -1,4 +1,4 @@
-//! What acts between bodies: tensions along a line, cables, and moments.
+//! Loads between bodies: tensions along a line, cables, and moments.
 
 use crate::errors::{Errors, every};
 use crate::families::Family;
@@ -12,10 +12,10 @@ use super::joints::joint::End;
 use super::reading::reader::Reader;
 use super::ties::{LENGTH_OF_CABLE, STIFFNESS_OF_CABLE};
 
-/// Loads, each with the number of the body that it acts on.
+/// Loads, each with the index of its body.
 type Loads = Vec<(usize, Load)>;
 
-/// What acts between bodies.
+/// The loads between bodies.
 #[derive(Default)]
 pub struct Between {
     pub loads: Loads,
@@ -73,8 +73,8 @@ impl Reader<'_> {
         Some(self.pulls(load, ends, line, share))
     }
 
-    /// `cable(P, Q, length, stiffness)`: a force where the line is longer than the cable, nothing where
-    /// it is not, however short it is; and its energy.
+    /// `cable(P, Q, length, stiffness)`: a force if the line is longer than the cable, otherwise
+    /// zero, however short the line is; and its energy.
     fn cable(&mut self, cable: &Definition, into: &mut Between, errors: &mut Errors) -> Option<()> {
         let value = cable.value.as_ref()?;
         let ((word, arguments), methods) = call(value)?;
@@ -125,8 +125,8 @@ impl Reader<'_> {
         Some(())
     }
 
-    /// Two points of different bodies, or of a body and the ground, and the line between them, world
-    /// axes.
+    /// Two points of different bodies, or of a body and the ground, and the line between them,
+    /// world axes.
     fn ends(
         &mut self,
         [p, q]: [&Expression; 2],
@@ -151,7 +151,7 @@ impl Reader<'_> {
         Some(([start, end], line))
     }
 
-    /// Where a point is; none if it is not known how its body moves.
+    /// The place of a point; none if the motion of its body is unknown.
     fn place(&mut self, (body, offset): End) -> Option<Vector> {
         let Some(body) = body else {
             return Some(self.work.vector(Frame::WORLD, offset));
@@ -162,7 +162,7 @@ impl Reader<'_> {
         Some(self.work.add(position, offset))
     }
 
-    /// A share of the line on its first end, and the opposite on the other one.
+    /// A load along the line on its first end, and the opposite on the other.
     fn pulls(
         &mut self,
         load: &Definition,
@@ -186,8 +186,8 @@ impl Reader<'_> {
         loads
     }
 
-    /// `moment(v).on(body)` and `moment(v).between(first, second)`, which acts on the second, and on
-    /// the first with the opposite sign.
+    /// `moment(v).on(body)` and `moment(v).between(first, second)`, which acts on the second, and
+    /// on the first with the opposite sign.
     fn couple(&mut self, load: &Definition, errors: &mut Errors) -> Option<Loads> {
         let value = load.value.as_ref()?;
         if let Some(word) = behind_operand(value, &["on", "between"]) {

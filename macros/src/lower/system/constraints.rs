@@ -7,7 +7,7 @@ use super::reading::body::Draft;
 use super::reading::reader::Reader;
 
 impl Reader<'_> {
-    /// Reads the constraints that stand beside the bodies; loads may follow what keeps them.
+    /// Reads the constraints next to the bodies; loads may depend on their forces.
     pub fn top_constraints(&mut self, inputs: &[Declared], errors: &mut Errors) {
         let top = &self.system.top;
         let first = self.first_load;
@@ -15,7 +15,7 @@ impl Reader<'_> {
         self.keep(found, None);
     }
 
-    /// Adds to the constraints what they are as functions of each body by itself.
+    /// Adds to the constraints their form as functions of each body separately.
     pub fn constraints_apart(
         &mut self,
         drafts: &mut [Draft<'_>],

@@ -1,4 +1,4 @@
-//! What drives joints.
+//! Drives of joints.
 
 use proc_macro2::Ident;
 
@@ -33,7 +33,7 @@ pub fn behind_operand<'e>(value: &'e Expression, methods: &[&str]) -> Option<&'e
     }
 }
 
-/// Reports it: such a method acts on the whole load.
+/// Reports it: such a method applies to the whole load.
 pub fn report_operand<T>(word: &Ident, errors: &mut Errors) -> Option<T> {
     let message = format!(
         "`.{word}(..)` is of the last operand alone: put the whole load in parentheses, `(..).{word}(..)`"
@@ -67,7 +67,7 @@ fn coordinates(joint: &TreeJoint) -> impl Iterator<Item = &'static Field> {
     fields.filter(|field| matches!(field.variable, Variable::Position | Variable::Angle))
 }
 
-/// The freedoms that a drive acts along: those of the coordinate which is named, or of the only one.
+/// The coordinates along which a drive acts: the named one, or the only one.
 fn chosen(
     joint: &TreeJoint,
     all: &[(Variable, usize)],
@@ -96,7 +96,7 @@ fn chosen(
     }
     let words: Vec<&str> = coordinates(joint).map(|field| field.path).collect();
     let Some(word) = word else {
-        // a ball joint has no name for what its quaternion tells
+        // a ball joint has no names for the components of its quaternion
         if words.len() <= 1 {
             return Some((0..all.len()).collect());
         }
@@ -134,7 +134,7 @@ fn chosen(
 }
 
 impl Reader<'_> {
-    /// Puts the drives on the joints.
+    /// Adds the drives to the joints.
     pub fn drives(
         &mut self,
         mut joints: Vec<TreeJoint>,
@@ -196,7 +196,7 @@ impl Reader<'_> {
         Some(())
     }
 
-    /// What a drive is along freedoms of one sort; along several it is a vector.
+    /// The components of a drive along coordinates of one sort; several form a vector.
     fn load_along(
         &mut self,
         load: &Expression,

@@ -1,10 +1,10 @@
-//! Bodies without mass, which move with bodies that have it.
+//! Massless bodies, which move with bodies that have mass.
 
 use crate::errors::Errors;
 use crate::model::{Member, TreeJoint, Workspace};
 
-/// What moves by itself has to carry mass; each joint has the number of what it carries, and comes
-/// after its carrier.
+/// A body that moves by itself must carry mass. Each joint has the index of its carried body, and
+/// comes after its carrier.
 pub fn check_frames(
     work: &Workspace,
     bodies: &[Member],

@@ -1,5 +1,5 @@
-//! A description of a system, read in order: what it declares, the points of its bodies, the
-//! joints, and then all that depends on how it moves.
+//! A description of a system, read in order: its declarations, the points of its bodies, the
+//! joints, and then everything that depends on its motion.
 
 mod apart;
 mod asked;
@@ -29,7 +29,7 @@ use reading::reader::Reader;
 
 pub use outline::outline_system;
 
-/// Gives a description of a system its meaning. `None` if anything was wrong with it.
+/// Gives a description of a system its meaning. `None` if there was any error.
 pub fn lower_system(
     system: &syntax::System,
     outline: &mut Outline,
@@ -110,7 +110,7 @@ pub fn lower_system(
     errors.is_empty().then_some((system, work))
 }
 
-/// Reports what is asked of a system in which nothing moves by itself and has no meaning there.
+/// Reports outputs that have no meaning for a system in which nothing moves by itself.
 fn check_still(outline: &Outline, errors: &mut Errors) {
     if outline.outputs.is_empty() {
         let message = "nothing moves by itself, because all joints are welds, or driven: ask for what there is \
@@ -127,14 +127,14 @@ fn check_still(outline: &Outline, errors: &mut Errors) {
     }
 }
 
-/// What the load is called that keeps a constraint.
+/// The name of the load of a constraint.
 fn load_of(constraint: &Constraint) -> Ident {
     let name = constraint.name.replace('.', "_");
     Ident::new(&name, constraint.place.span())
 }
 
-/// The frames of what joints carry, by which their states are known; and the joints that move, by
-/// number, in the order in which the state has them.
+/// The frames of the bodies that joints carry, which identify their states; and the moving joints,
+/// by index, in the order of the state.
 fn tell_frames(outline: &mut Outline, joints: &[TreeJoint]) -> Vec<usize> {
     let mut written = Vec::new();
     for known in &mut outline.joints {
@@ -173,7 +173,7 @@ fn carriers_first(
 }
 
 impl<'a> Reader<'a> {
-    /// All bodies, with their points; those with mistakes become `wrong`.
+    /// All bodies, with their points; those with errors become `wrong`.
     fn drafts(&mut self, wrong: &mut HashSet<usize>, errors: &mut Errors) -> Vec<Draft<'a>> {
         let system = self.system;
         let bodies = system.bodies.iter().enumerate();
@@ -193,7 +193,7 @@ impl<'a> Reader<'a> {
         unused
     }
 
-    /// The points and locals of bodies that nothing refers to, of copies no copy.
+    /// The points and locals of bodies that nothing refers to, for copies those that no copy uses.
     fn unused_of_bodies(&self, drafts: &[Draft<'_>]) -> Vec<Ident> {
         let used = self.members.used.borrow();
         let is_used = |number: usize, name: &Ident| {

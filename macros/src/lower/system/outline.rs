@@ -1,4 +1,4 @@
-//! What the words of a system tell, whatever is wrong with it.
+//! The facts about a system that are known even if it has errors.
 
 use std::collections::HashSet;
 
@@ -13,7 +13,7 @@ use super::drives::behind;
 use super::joints::driven::coordinates;
 use super::joints::joint::{first_name_of, kind_of};
 
-/// The joints that move are the fields of its state.
+/// The moving joints are the fields of its state.
 pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
     outline.is_system = true;
     outline.body_keys.clone_from(&system.keys);
@@ -62,7 +62,7 @@ pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
     outline.open = open.map(|drive| drive.name.clone()).collect();
 }
 
-/// What the loads of all written constraints may be called, of scalars and of vectors.
+/// The possible names of the loads of all written constraints, scalars and vectors.
 fn loads_of_constraints(system: &syntax::System) -> Vec<Ident> {
     let of_bodies = system.bodies.iter().flat_map(|body| {
         let written = body.constraints.iter();
@@ -83,8 +83,8 @@ fn is_driven(joint: &Definition) -> bool {
     call.is_some_and(|(_, methods)| methods.iter().any(|(method, _)| *method == "driven"))
 }
 
-/// The body that a joint carries; of a joint to the ground that is written the other way round, the
-/// one that it would.
+/// The body that a joint carries; for a joint to the ground with exchanged ends, the
+/// one that it would carry.
 fn name_of_carried(joint: &Definition, kind: &JointKind) -> Option<String> {
     let ((_, arguments), _) = joint.value.as_ref().and_then(call)?;
     let written = arguments.get(usize::from(kind.holds == Holds::Points))?;
@@ -92,7 +92,7 @@ fn name_of_carried(joint: &Definition, kind: &JointKind) -> Option<String> {
     named.map(ToString::to_string)
 }
 
-/// `crank_drive`, of a joint of several coordinates `gimbal_drive_angle_1`.
+/// `crank_drive`, for a joint of several coordinates `gimbal_drive_angle_1`.
 fn drives_of(joint: &Ident, kind: &JointKind) -> Vec<(Ident, Ident)> {
     let names: Vec<&str> = coordinates(kind)
         .into_iter()
@@ -120,7 +120,7 @@ pub fn name_of_point(written: &Expression) -> Option<Ident> {
     Some(format_ident!("{body}_{point}", span = point.span()))
 }
 
-/// The kind of a joint, or of one that cannot be read, what it may be.
+/// The kind of a joint, or the possible kind of an unreadable one.
 fn likely_kind(joint: &Definition, is_planar: bool) -> Option<&'static JointKind> {
     let kinds = JointKind::all(is_planar);
     let Some(value) = &joint.value else {

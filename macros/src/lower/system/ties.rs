@@ -1,4 +1,4 @@
-//! Links and cables: between what they are, and the numbers that they are made with.
+//! Links and cables: their ends, and their properties.
 
 use proc_macro2::Ident;
 
@@ -10,10 +10,10 @@ use crate::syntax::{Definition, Expression, LINK, call};
 use super::joints::joint::first_name_of;
 use super::reading::reader::Reader;
 
-/// What a number of a link or a cable is.
+/// A property of a link or a cable.
 #[derive(Clone, Copy)]
 pub struct Sort {
-    /// The word for it, and for what has it.
+    /// The word for it, and for its owner.
     pub word: &'static str,
     pub of: &'static str,
     pub dimension: Dimension,
@@ -66,7 +66,7 @@ impl Reader<'_> {
         Some((ties, every(lengths)?))
     }
 
-    /// The body of a point; none of the ground.
+    /// The body of a point; none for the ground.
     fn body_of(&self, end: &Expression) -> Option<Ident> {
         let mut bodies = self.system.bodies.iter().map(|body| &body.name);
         first_name_of(end)
@@ -74,7 +74,7 @@ impl Reader<'_> {
             .cloned()
     }
 
-    /// A number that a link or a cable is made with, which the defaults of parameters may not spoil.
+    /// A property of a link or a cable, which must be valid for the defaults of parameters.
     pub fn property(
         &mut self,
         tie: &Definition,
@@ -102,7 +102,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The number that an expression is with the defaults of parameters, if it is one.
+    /// The numerical value of an expression with the defaults of parameters, if it has one.
     fn with_defaults(&mut self, value: Id) -> Option<Number> {
         let defaults = &self.defaults;
         let graph = &mut self.work.graph;

@@ -1,17 +1,17 @@
 //! Axes that do not spin with a symmetric body, for its series (EQUATIONS 5(e)).
 //!
-//! If the axes of a body may be turned about e, and its spin `s = e . w` is constant, the motion in
-//! axes that turn against the body at `-sigma` about e, with the components of the whole angular
-//! velocity in them, is
+//! If the axes of a body may be rotated about e, and its spin `s = e . w` is constant, the motion
+//! in axes that rotate relative to the body at `-sigma` about e, with the components of the whole
+//! angular velocity in them, is
 //!
 //! ```text
 //! q' = q (0, w - sigma e) / 2      w' = alpha(q, w) + sigma e x w
 //! ```
 //!
-//! Any sigma is right. In axes without spin, `sigma = s`, the angular velocity of a free body turns
-//! at `beta = s J_e / J_t`, of the moments along e and across; in those with `sigma = s - beta` it
-//! stands still, and the attitude turns faster. Halfway the steps are longest, or nearly so, for
-//! tops that are flat or slender, fast or slow:
+//! Any sigma is correct. In axes without spin, `sigma = s`, the angular velocity of a free body
+//! rotates at `beta = s J_e / J_t`, with the moments along e and across; in those with `sigma = s -
+//! beta` it is constant, and the attitude rotates faster. Halfway the steps are longest, or nearly
+//! so, for tops that are flat or slender, fast or slow:
 //!
 //! ```text
 //! sigma = s - beta / 2 = s (1 - J_e / (tr J - J_e))
@@ -22,12 +22,12 @@ use crate::mechanics::structure::Structure;
 use crate::model::{Attitude, Inertia, Model, Workspace};
 use crate::symbolic::{Components, Id, Number};
 
-/// Axes in which a motion is slower than in those of the body.
+/// Axes in which a motion is slower than in body axes.
 #[derive(Debug)]
 pub struct Axes {
     /// e, a unit vector.
     pub direction: [Number; 3],
-    /// sigma: at which the body turns against them about e.
+    /// sigma, the rate at which the body rotates relative to them about e.
     pub spin: Id,
     /// Their angular velocity: `w - sigma e`.
     pub rate: Components,
@@ -74,7 +74,7 @@ pub fn derive_axes(model: &Model, work: &mut Workspace, structure: &Structure) -
 }
 
 impl Axes {
-    /// The rate of w in them: `alpha + sigma e x w`, without what vanishes along e.
+    /// The rate of w in them: `alpha + sigma e x w`, without the part that vanishes along e.
     pub fn acceleration(
         &self,
         model: &Model,

@@ -1,4 +1,4 @@
-//! The balances as they are written, for inspection: given loads, resultants, residuals.
+//! The terms of the balances, for inspection: given loads, resultants, residuals.
 
 use crate::families::Family;
 use crate::mechanics::balances::{about_pole, arm, moments_about, resultant};
@@ -11,7 +11,7 @@ pub struct Balance {
     /// Given loads, in systems with the weight; moment about G.
     pub applied: Resultant,
     /// (1.3) and (1.4) about the pole, in systems about G and with the loads of all joints: zero on
-    /// a true motion.
+    /// an actual motion.
     pub residual: Resultant,
     pub loads: Vec<LoadExpressions>,
 }
@@ -31,7 +31,7 @@ impl Balance {
         resultants.chain(loads).flatten().collect()
     }
 
-    /// Puts what was solved for into the given loads that depend on it.
+    /// Substitutes the solutions into the given loads that depend on them.
     pub fn put_solved(&mut self, work: &mut Workspace, values: &[(Id, Id)]) {
         let own = [&mut self.applied.force, &mut self.applied.moment];
         let listed = self.loads.iter_mut();
@@ -47,13 +47,13 @@ pub struct LoadExpressions {
     pub name: String,
     pub family: Family,
     pub force: Components,
-    /// Where it acts; from G where the motion of G is not modelled.
+    /// The point of action; from G if the motion of G is not modelled.
     pub point: Components,
     pub moment: Components,
 }
 
 impl LoadExpressions {
-    /// Of a load at this point, with this moment.
+    /// For a load at this point, with this moment.
     pub fn new(
         state: &State,
         work: &mut Workspace,
@@ -71,7 +71,7 @@ impl LoadExpressions {
     }
 }
 
-/// Under constraints, loads may depend on reactions: these are what was `solved` for.
+/// Under constraints, loads may depend on reactions: `solved` has their values.
 pub fn derive_balance(model: &Model, work: &mut Workspace, solved: &[Components]) -> Balance {
     let force = resultant(work, &model.loads);
     let center = model.state.mass_center(work);
@@ -79,7 +79,7 @@ pub fn derive_balance(model: &Model, work: &mut Workspace, solved: &[Components]
     let moment = work.sum(moments);
     let applied = in_world(work, force, moment);
 
-    // what follows an acceleration does so as it is given
+    // a load that depends on an acceleration uses the given one
     let given = as_given(model, work);
     let (force, moment) = match &given {
         Some(given) => {
@@ -130,7 +130,7 @@ fn in_world(work: &mut Workspace, force: Vector, moment: Vector) -> Resultant {
     Resultant { force, moment }
 }
 
-/// The given loads together with the reactions, as they are handed in; moment about G.
+/// The given loads together with the given reactions; moment about G.
 fn with_reactions(
     model: &Model,
     work: &mut Workspace,
@@ -147,7 +147,7 @@ fn with_reactions(
     (work.sum(forces), work.sum(moments))
 }
 
-/// `G - O`, of the pole O.
+/// `G - O`, for the pole O.
 pub fn from_pole(model: &Model, work: &mut Workspace) -> Vector {
     let (center, pole) = (model.state.mass_center(work), model.pole);
     arm(&model.state, work, center, pole)
@@ -184,7 +184,7 @@ fn inertial_moment(model: &Model, work: &mut Workspace) -> Vector {
     work.vector(model.state.axes, moment)
 }
 
-/// What is spread over the body is listed at G.
+/// Loads spread over the body are listed at G.
 fn list_loads(model: &Model, work: &mut Workspace) -> Vec<LoadExpressions> {
     let center = model.state.mass_center(work);
     let about_center = moments_about(&model.state, work, &model.loads, center);

@@ -1,4 +1,4 @@
-//! What else is asked for: energy, momentum, balances, series, and when the equations switch.
+//! Further outputs: energy, momentum, balances, series, and switch times.
 
 mod axes;
 mod balance;

@@ -1,11 +1,11 @@
-//! Loads that may have no value: those that read what is given at each evaluation, and those that
-//! divide by what moves, or have a function that is not there for all numbers, or soon out of
-//! range.
+//! Loads that may have no value: those that read values given at each evaluation, those that divide
+//! by quantities of the motion, and those with a function that is undefined for some numbers, or
+//! quickly out of range.
 
 use crate::model::{Load, Meaning, Model, Own, Workspace};
 use crate::symbolic::{Function, Graph, Id, Node};
 
-/// A load, and all of its components that are not zero.
+/// A load, and all of its nonzero components.
 #[derive(Clone)]
 pub struct Partial {
     pub name: String,
@@ -19,7 +19,7 @@ pub fn parts(load: &Load, work: &Workspace) -> (String, Vec<Id>) {
     (load.name.to_string(), parts)
 }
 
-/// All loads of a body and rates of its own states by name, with their components.
+/// All loads of a body and rates of its user-defined states by name, with their components.
 pub fn loads(model: &Model, work: &Workspace) -> Vec<(String, Vec<Id>)> {
     let loads = model.loads.iter().map(|load| parts(load, work));
     let rates = model.states.iter().map(Own::named_rate);
@@ -40,7 +40,7 @@ pub fn list_partial(
     loads.filter(|load| is_partial(work, &load.parts)).collect()
 }
 
-/// Whether numbers made from what is given alone may have no value.
+/// Whether numbers made from given values alone may have no value.
 fn is_partial(work: &Workspace, parts: &[Id]) -> bool {
     let graph = &work.graph;
     let (mut may_fail, mut is_given) = (false, true);
@@ -48,7 +48,7 @@ fn is_partial(work: &Workspace, parts: &[Id]) -> bool {
         match graph.node(id) {
             Node::Symbol(symbol) => match work.meanings.of(*symbol) {
                 Meaning::Input(..) => may_fail = true,
-                // what is solved for
+                // the solved unknowns
                 Meaning::Reaction(..) | Meaning::Virtual => is_given = false,
                 _ => {}
             },
@@ -58,7 +58,7 @@ fn is_partial(work: &Workspace, parts: &[Id]) -> bool {
     may_fail && is_given
 }
 
-/// As that under the root of a length.
+/// The sum under the root of a length.
 fn is_sum_of_squares(graph: &Graph, sum: Id) -> bool {
     let mut pending = vec![sum];
     while let Some(id) = pending.pop() {

@@ -1,4 +1,4 @@
-//! Regressors: what a motion takes of each inertial parameter.
+//! Regressors: the loads of a motion by inertial parameter.
 //!
 //! ```text
 //! f = m a + ([w']x + w w - w^2 1) h            a: acceleration of a point P of the body, less that
@@ -6,18 +6,18 @@
 //! ```
 //!
 //! Both are linear in m, h and J about P (Atkeson, An and Hollerbach, Estimation of inertial
-//! parameters of manipulator loads and links, 1986): the columns are what one of each takes.
+//! parameters of manipulator loads and links, 1986): the columns are the loads per unit of each.
 
 use crate::mechanics::balances::uniform_field;
 use crate::mechanics::tree::{Moving, Pair, Properties};
 use crate::model::{Frame, Meaning, Model, Motion, Variable, Vector, Workspace};
 use crate::symbolic::Id;
 
-/// Of one body.
+/// The regressor of one body.
 pub struct Regressor {
     /// For each parameter the rows of the balances.
     pub columns: Vec<Vec<Id>>,
-    /// What the body has of each.
+    /// The body's value of each.
     pub parameters: Vec<Id>,
 }
 
@@ -32,7 +32,7 @@ const ALL: [&str; 10] = [
     "m", "m c_x", "m c_y", "m c_z", "J_xx", "J_yy", "J_zz", "J_xy", "J_yz", "J_zx",
 ];
 
-/// The parameters that a motion may tell, by their numbers among all; a rod has other ones.
+/// The parameters that a motion may reveal, by their indices among all; a rod has other ones.
 pub fn told(motion: Motion) -> &'static [usize] {
     const NUMBERS: [usize; 10] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9];
     if !motion.has_attitude() {
@@ -54,7 +54,7 @@ pub fn inertial_parameters(motion: Motion) -> Vec<&'static str> {
     told(motion).iter().map(|number| ALL[*number]).collect()
 }
 
-/// About the point that is held, or G.
+/// About the held point, or G.
 pub fn derive_regressor(model: &Model, work: &mut Workspace) -> Regressor {
     if model.motion.is_line() {
         return of_rod(model, work);
@@ -89,7 +89,7 @@ pub fn derive_regressor(model: &Model, work: &mut Workspace) -> Regressor {
     }
 }
 
-/// Along its axis u there is one first moment, and across it one inertia.
+/// Along its axis u there is one first moment, and perpendicular to it one inertia.
 fn of_rod(model: &Model, work: &mut Workspace) -> Regressor {
     let state = model.state;
     let fall = fall_against(model, work);

@@ -1,6 +1,6 @@
-//! Switch times: those at which the equations change by a condition on time.
+//! Switch times, at which the equations change by a condition on time.
 //!
-//! What is compared is taken apart into pieces, each of them one expression in which time enters as
+//! Compared expressions are split into pieces, each of them one expression in which time enters as
 //!
 //! ```text
 //! k t + c          switches at      -c / k
@@ -8,20 +8,20 @@
 //! f sin(k t + c) + b, and with cos: twice in every 2 pi / k
 //! ```
 //!
-//! k, c, m, f, b being numbers, parameters and inputs. Of `abs`, `min`, `max` and `if` the pieces
-//! are those of both sides, of `floor` and `ceil` a whole number: what is found may be no switch,
-//! and then ends a step for nothing; none of these forms is passed over.
+//! with numbers, parameters and inputs as k, c, m, f, b. For `abs`, `min`, `max` and `if` the
+//! pieces are those of both sides, for `floor` and `ceil` an integer. A time found in this way may
+//! be no switch, and then ends a step needlessly; but no switch of these forms is missed.
 
 use std::collections::HashMap;
 
 use crate::model::{Meaning, Workspace};
 use crate::symbolic::{Comparison, Function, Graph, Id, Node, Number};
 
-/// When equations change.
+/// A time at which equations change.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Switch {
     At(Id),
-    /// Rounded as terms of this size are.
+    /// Rounded like terms of this size.
     Near(Id, Id),
     /// From a time on, and before, with a period.
     Every(Id, Id),
@@ -36,7 +36,7 @@ impl Switch {
     }
 }
 
-/// More pieces of one expression are not looked at.
+/// The limit of pieces of one expression.
 const MOST: usize = 32;
 
 /// `slope t + sum of terms + whole n + wave`
@@ -57,12 +57,12 @@ struct Wave {
     rest: Id,
 }
 
-/// The pieces of each expression, if they are all of these forms.
+/// The pieces of each expression, if they all have these forms.
 type Pieces = HashMap<Id, Option<Vec<Piece>>>;
 
 /// The switch times of `roots`, each once.
 ///
-/// `derivatives` says how many of each input are given: one that has some moves.
+/// `derivatives` gives the number of given derivatives of each input: one that has some moves.
 pub fn derive_switches(
     time: Id,
     derivatives: &[usize],
@@ -156,7 +156,7 @@ impl Piece {
         })
     }
 
-    /// None if there are two whole numbers, or two waves.
+    /// None if there are two integers, or two waves.
     fn plus(&self, graph: &mut Graph, other: &Self) -> Option<Self> {
         let has_two = self.whole.is_some() && other.whole.is_some()
             || self.wave.is_some() && other.wave.is_some();
@@ -168,7 +168,7 @@ impl Piece {
         })
     }
 
-    /// Where it is zero, or what it is the slope of is whole.
+    /// The times at which it is zero, or at which the argument of an integer is one.
     fn zeros(&self, graph: &mut Graph) -> Vec<Switch> {
         let rest = graph.sum(&self.terms);
         match (self.whole, self.wave) {
@@ -193,7 +193,7 @@ impl Piece {
 }
 
 impl Wave {
-    /// Where the wave is as large as the opposite of `rest`.
+    /// The times at which the wave equals the opposite of `rest`.
     fn zeros(&self, graph: &mut Graph, rest: Id) -> Vec<Switch> {
         let against = graph.negate(rest);
         let level = graph.divide(against, self.factor);
@@ -221,7 +221,7 @@ fn zero(graph: &mut Graph, slope: Id, rest: Id) -> Id {
     graph.divide(against, slope)
 }
 
-/// The size of the terms that the zero is computed from.
+/// The size of the terms of the zero.
 fn size(graph: &mut Graph, slope: Id, terms: &[Id]) -> Id {
     let sizes: Vec<Id> = terms
         .iter()
@@ -237,7 +237,7 @@ fn is_as_large(graph: &Graph, number: Id, size: Id) -> bool {
     matches!((value(number), value(size)), (Some(number), Some(size)) if size <= 4.0 * number)
 }
 
-/// What is added to the switches by one operation.
+/// The switches added by one operation.
 fn add_switches(graph: &mut Graph, pieces: &Pieces, id: Id, switches: &mut Vec<Switch>) {
     let known = |id: Id| pieces.get(&id).cloned().flatten();
     let (at, is_whole) = match *graph.node(id) {
@@ -279,7 +279,7 @@ fn sums(graph: &mut Graph, a: &[Piece], b: &[Piece]) -> Option<Vec<Piece>> {
     pairs.map(|(a, b)| a.plus(graph, b)).collect()
 }
 
-/// What one piece that is a single term is.
+/// The content of a piece that is a single term.
 fn held(graph: &Graph, pieces: Option<&[Piece]>) -> Option<Id> {
     let [piece] = pieces? else {
         return None;

@@ -1,17 +1,17 @@
-//! Taylor series of the motion: coordinates, their rates, and the recurrences that follow.
+//! Taylor series of the motion: coordinates, their rates, and the resulting recurrences.
 //!
 //! ```text
 //! position' = velocity      q' = q (0, w) / 2      angle' = w      u' = rate of the axis of a rod
 //! velocity' = a             w' = alpha
 //! ```
 //!
-//! Inputs are held; those that are `.moving` go on with their rates and accelerations.
+//! Inputs are held; those that are `.moving` continue with their rates and accelerations.
 //!
-//! They are those of axes that do not spin with a symmetric body, where there are such:
+//! For a symmetric body they use axes that do not spin with it, if there are such axes:
 //! [`super::axes`].
 //!
-//! A series exists where the equations are smooth; what is not is reported by the load that it
-//! stands in.
+//! A series exists where the equations are smooth; a load that is not smooth is
+//! reported.
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::structure::Structure;
@@ -27,7 +27,7 @@ pub struct Taylor {
     /// The coordinates.
     pub symbols: Vec<Id>,
     pub recurrences: Recurrences,
-    /// The axes that they hold in, if these are not those of the body.
+    /// The axes in which they hold, if these are not body axes.
     pub axes: Option<Axes>,
 }
 
@@ -40,7 +40,7 @@ impl Taylor {
     }
 }
 
-/// The recurrences, if they exist; what is in their way is reported where they are asked for.
+/// The recurrences, if they exist; obstacles are reported at the request.
 pub fn derive_taylor(
     model: &Model,
     work: &mut Workspace,
@@ -49,7 +49,7 @@ pub fn derive_taylor(
     structure: &Structure,
     errors: &mut Errors,
 ) -> Option<Taylor> {
-    // in axes that do not spin, rates of one's own may be others
+    // in axes that do not spin, user-defined rates may differ
     let may_turn = model.states.is_empty();
     let axes = may_turn.then(|| axes::derive_axes(model, work, structure));
     let axes = axes.flatten();
@@ -74,15 +74,15 @@ pub fn derive_taylor(
     moving.expand(work, axes, asked, errors)
 }
 
-/// What series are made of.
+/// The inputs of the series.
 pub struct Moving {
     /// The coordinates of the state.
     pub coordinates: Vec<Coordinate>,
     /// Time, and inputs that move.
     pub polynomials: Vec<Polynomial>,
-    /// Loads by name, for what is to be said of them.
+    /// Loads by name, for reports.
     pub loads: Vec<(String, Vec<Id>)>,
-    /// Those that are cables.
+    /// The cables among them.
     pub cables: Vec<String>,
 }
 
@@ -103,7 +103,7 @@ impl Moving {
         })
     }
 
-    /// Reports the place where the equations are not smooth, by the loads that it stands in.
+    /// Reports where the equations are not smooth, by the loads that are to blame.
     fn check_smooth(&self, work: &Workspace, asked: Extent, errors: &mut Errors) -> Option<()> {
         let graph = &work.graph;
         let all = self.coordinates.iter();
@@ -147,7 +147,7 @@ impl Moving {
     }
 }
 
-/// Time, and inputs that move: `x + x' s + x'' s^2 / 2` after a time s, as between two that are given.
+/// Time, and inputs that move: `x + x' s + x'' s^2 / 2` after a time s from the given values.
 pub fn polynomials(
     time: Option<Id>,
     derivatives: &[usize],
@@ -172,8 +172,8 @@ pub fn polynomials(
     time.into_iter().chain(inputs).collect()
 }
 
-/// The coordinates of the state, and those of one's own; those of a kind of motion are together. `axes_rate` is the
-/// angular velocity of the axes.
+/// The coordinates of the state, and user-defined ones; those of a kind of motion are together.
+/// `axes_rate` is the angular velocity of the axes.
 fn coordinates(
     model: &Model,
     work: &mut Workspace,
@@ -232,7 +232,7 @@ pub fn quaternion_rate(
 
 const OTHERWISE: &str = "leave `taylor` out and `integrate` takes Runge-Kutta steps";
 
-/// Why there is no series, and what to do about it.
+/// The reason why there is no series, and a remedy.
 fn reason(work: &Workspace, kink: Id) -> String {
     let word = match work.graph.node(kink) {
         Node::Foreign(function, _) => {

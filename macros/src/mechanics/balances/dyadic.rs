@@ -2,7 +2,7 @@
 
 use crate::symbolic::{Components, Graph, Id, Number, Symmetry};
 
-/// `isotropic 1 + excess n n`, where the largest component of n is one.
+/// `isotropic 1 + excess n n`, with the largest component of n one.
 #[derive(Clone, Copy)]
 pub struct Dyadic {
     pub isotropic: Id,
@@ -24,7 +24,7 @@ impl Dyadic {
         })
     }
 
-    /// Of a tensor of numbers with two equal principal moments and a third.
+    /// For a tensor of numbers with two equal principal moments and a third.
     pub fn of(graph: &mut Graph, rows: &[Components; 3]) -> Option<Self> {
         let Symmetry {
             across,
@@ -34,7 +34,7 @@ impl Dyadic {
         Self::new(graph, &across, &along, axis)
     }
 
-    /// Of its inverse.
+    /// For its inverse.
     pub fn of_inverse(graph: &mut Graph, rows: &[Components; 3]) -> Option<Self> {
         let Symmetry {
             across,
@@ -92,7 +92,7 @@ pub fn quadratic(graph: &mut Graph, rows: &[Components; 3], x: Components) -> Id
     form
 }
 
-/// Two forms of one quantity: the second, if there is one and it costs less.
+/// Two forms of one quantity: the second, if it exists and costs less.
 pub fn cheapest<const N: usize>(graph: &Graph, first: [Id; N], second: Option<[Id; N]>) -> [Id; N] {
     let cost = |form: &[Id; N]| graph.late_cost(form).total();
     match second {

@@ -1,5 +1,5 @@
 //! Euler's equations `J w' = M - w x J w`, solved for `w'` in the form that takes the fewest
-//! operations. All of them are exact; a tensor of numbers has forms that one of parameters has not.
+//! operations. All forms are exact; a tensor of numbers has forms that one of parameters lacks.
 
 use crate::model::{AXES, Labels, Model, Workspace};
 use crate::symbolic::{Components, Graph, Number, PrincipalAxes, Spectrum, scaled};
@@ -11,22 +11,23 @@ use super::dyadic::Dyadic;
 pub enum EulerForm {
     /// The axes of the body are principal.
     Principal,
-    /// The full tensor, without a multiple of the unit matrix.
+    /// The full tensor, minus a multiple of the unit matrix.
     Gauged,
     /// About an axis of symmetry.
     Symmetric,
-    /// Turned into the principal axes.
+    /// Rotated into the principal axes.
     TurnedToPrincipal,
 }
 
-/// `w'` in one of them, and what its parts are called.
+/// `w'` in one of them, and the names of its parts.
 struct Written {
     form: EulerForm,
     angular: Components,
     labels: Labels,
 }
 
-/// What the equations are about: angular velocity and moment in body axes, and the tensor by rows.
+/// The quantities of the equations: angular velocity and moment in body axes, and the tensor by
+/// rows.
 struct Balance<'a> {
     graph: &'a mut Graph,
     w: Components,
@@ -34,7 +35,7 @@ struct Balance<'a> {
     moment: Components,
 }
 
-/// `w' = J^-1 (M - w x J w)`; of forms that cost the same, the first.
+/// `w' = J^-1 (M - w x J w)`; of forms with equal cost, the first.
 pub fn solve_euler(
     model: &Model,
     work: &mut Workspace,
@@ -57,7 +58,7 @@ pub fn solve_euler(
                 Some(balance.gauged(1)),
                 Some(balance.gauged(0)),
                 is_fixed.then(|| balance.about_symmetry()).flatten(),
-                // of irrational axes, differences that vanish are not always proved to
+                // for irrational axes, vanishing differences are not always proved to be zero
                 if model.is_differentiated || !is_fixed {
                     None
                 } else {
@@ -80,10 +81,10 @@ pub fn is_diagonal(graph: &Graph, rows: &[Components; 3]) -> bool {
 }
 
 impl Balance<'_> {
-    /// Principal axes that are the user's: `w_1' = M_1 / J_1 + (J_2 - J_3) / J_1 w_2 w_3`, and so
+    /// Principal axes given by the user: `w_1' = M_1 / J_1 + (J_2 - J_3) / J_1 w_2 w_3`, and so
     /// on.
     ///
-    /// Where two moments of inertia are equal, both products hold the rate at which the angular
+    /// If two moments of inertia are equal, both products contain the rate at which the angular
     /// velocity precesses in the body, which is then computed once.
     fn in_user_axes(&mut self) -> Written {
         let mut labels = Labels::default();
@@ -139,8 +140,8 @@ impl Balance<'_> {
         }
     }
 
-    /// The full tensor. A multiple of the unit matrix changes nothing in `w x J w` and is taken off
-    /// first: exact where the body is nearly spherical (H7), and cheaper.
+    /// The full tensor. A multiple of the unit matrix does not change `w x J w` and is subtracted
+    /// first: this is accurate for nearly spherical bodies (H7), and cheaper.
     fn gauged(&mut self, axis: usize) -> Written {
         let mut labels = Labels::default();
         let graph = &mut *self.graph;
@@ -167,7 +168,7 @@ impl Balance<'_> {
         }
     }
 
-    /// An axis of symmetry n, of moment B beside A across it:
+    /// An axis of symmetry n, with the moment B about it and A across it:
     /// `w' = J^-1 M + (A - B) / A (n.w) w x n`. The gyroscopic moment has no part along n, whatever
     /// B is.
     fn about_symmetry(&mut self) -> Option<Written> {
@@ -201,7 +202,7 @@ impl Balance<'_> {
     }
 
     /// Three principal axes n: Euler's equations along them, and back. Each n is written as its
-    /// largest component times a vector r that has a one in the place of it; what is left over is
+    /// largest component times a vector r with a one in its place; the factor is
     /// folded into the coefficients.
     fn in_principal_axes(&mut self) -> Option<Written> {
         let mut labels = Labels::default();
@@ -252,8 +253,8 @@ impl Balance<'_> {
     }
 }
 
-/// `J^-1`, computed from `J` over its trace, so that no determinant leaves the range of doubles
-/// (H10).
+/// `J^-1`, computed from `J` divided by its trace, so that no determinant leaves the range of
+/// doubles (H10).
 pub fn inverse_inertia(
     graph: &mut Graph,
     labels: &mut Labels,

@@ -1,4 +1,4 @@
-//! The given loads together: their sum, and their moments about a point.
+//! The sum of the given loads, and of their moments about a point.
 
 use crate::errors::Errors;
 use crate::families::{Family, LoadKind};
@@ -45,7 +45,7 @@ pub fn arm(state: &State, work: &mut Workspace, point: Point, pole: Point) -> Ve
     work.add(end, backwards)
 }
 
-/// A body that does not turn needs a moment balance of its own: nothing else could hold it.
+/// A body that does not rotate needs a separate moment balance: nothing else could hold it.
 pub fn check_moment_free(
     model: &Model,
     work: &mut Workspace,
@@ -88,7 +88,7 @@ pub fn about_pole(
     }
 }
 
-/// What is known of each reaction: its force, and its moment about `pole`.
+/// The known part of each reaction: its force, and its moment about `pole`.
 pub fn known_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vector, Vector)> {
     let parts = model.reactions.iter().map(|reaction| {
         let known = work.vector(reaction.frame, reaction.known);
@@ -98,7 +98,7 @@ pub fn known_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vec
 }
 
 /// The point of the body at which a uniform field acts: a field force that is fixed in world axes
-/// and is the same for every position, attitude and velocity.
+/// and does not depend on position, attitude or velocity.
 pub fn uniform_field(
     work: &Workspace,
     body: Frame,

@@ -1,4 +1,4 @@
-//! The balances (1.3) and (1.4): loads, inertia, and the accelerations that follow.
+//! The balances (1.3) and (1.4): loads, inertia, and the resulting accelerations.
 
 mod dyadic;
 mod euler_equations;

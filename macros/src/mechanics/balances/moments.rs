@@ -1,9 +1,9 @@
-//! The inertia about G, or about the point that is held.
+//! The inertia about G, or about the held point.
 
 use crate::model::{Inertia, Model, Workspace};
 use crate::symbolic::{Components, Id};
 
-/// The inertia about G, or about the point that is held: `J_P = J_G + m (c^2 1 - c c)`,
+/// The inertia about G, or about the held point: `J_P = J_G + m (c^2 1 - c c)`,
 /// `c = G - P`.
 pub fn inertia_about_center(model: &Model, work: &mut Workspace) -> Inertia {
     let (Some(support), Some(mass)) = (model.state.support, model.mass) else {
@@ -19,7 +19,7 @@ pub fn inertia_about_center(model: &Model, work: &mut Workspace) -> Inertia {
     inertia
 }
 
-/// `d.J d`, of a unit vector d; in the plane, the moment of inertia.
+/// `d.J d`, for a unit vector d; in the plane, the moment of inertia.
 pub fn moment_of_inertia(work: &mut Workspace, inertia: &Inertia, d: Components) -> Id {
     let graph = &mut work.graph;
     match inertia {

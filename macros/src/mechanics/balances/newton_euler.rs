@@ -14,7 +14,7 @@ use super::loads::{check_moment_free, known_parts, moments_about, resultant};
 use super::moments::{inertia_about_center, moment_of_inertia};
 use super::rod;
 
-/// The accelerations, as far as the motion has them; that of the axis of a rod is in the place of
+/// The accelerations, as far as the motion has them; that of the axis of a rod takes the place of
 /// the angular one.
 pub fn derive_accelerations(
     model: &Model,
@@ -33,7 +33,7 @@ pub fn derive_accelerations(
     let known = if model.motion.has_attitude() {
         known_parts(model, work, center)
     } else {
-        // where moments are unknown, whether they can balance these is found with them
+        // with unknown moments, the balance is checked when these are solved for
         if model.reactions.is_empty() {
             check_moment_free(model, work, &model.loads, errors)?;
         }
@@ -54,7 +54,7 @@ pub fn derive_accelerations(
     ))
 }
 
-/// The accelerations that loads and further moments make, under these names.
+/// The accelerations by loads and further moments, with these names.
 pub fn solve_balances(
     model: &Model,
     work: &mut Workspace,
@@ -74,7 +74,7 @@ pub fn solve_balances(
     (Pair { linear, angular }, form)
 }
 
-/// (1.3): `a = F / m`. All that is fixed in the body is added before it is turned.
+/// (1.3): `a = F / m`. All forces fixed in the body are added before they are rotated.
 fn linear_acceleration(
     model: &Model,
     work: &mut Workspace,
@@ -102,7 +102,7 @@ fn linear_acceleration(
     acceleration
 }
 
-/// (1.4) about G, or about the point that is held, whose reaction has no moment there:
+/// (1.4) about G, or about the held point, whose reaction has no moment there:
 /// `w' = J^-1 (M - w x J w)`.
 fn angular_acceleration(
     model: &Model,
@@ -143,7 +143,7 @@ fn angular_acceleration(
     (angular, form)
 }
 
-/// About one axis d, `w x J w` has no part along it: `w' = d.M / d.J d`.
+/// About an axis d: `w' = d.M / d.J d`, because `w x J w` has no part along it.
 fn about_axis(
     work: &mut Workspace,
     inertia: &Inertia,

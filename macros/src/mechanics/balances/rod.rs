@@ -1,13 +1,13 @@
-//! (1.4) of a rod: without inertia about its axis u, it turns as u does.
+//! (1.4) of a rod: without inertia about its axis u, it rotates only as u does.
 //!
 //! ```text
 //! u'' = (K x u) / J - u'^2 u
 //! ```
 //!
-//! All vectors are in world axes, and K is perpendicular to u. Where it is `u x B`, of forces with
-//! the first moment `B = sum of s F`, of potentials and of most couples that can be written,
-//! `K x u = B - (u . B) u`: these are summed, and one projection is enough; none where B is across
-//! the axis already, as that of damping is.
+//! All vectors are in world axes, and K is perpendicular to u. If it is `u x B`, as for forces with
+//! the first moment `B = sum of s F`, for potentials and for most couples that can be written,
+//! `K x u = B - (u . B) u`. These B are summed, and one projection suffices; none is needed if B is
+//! already perpendicular to the axis, as for damping.
 //!
 //! ```text
 //! u'' = B / J - (u . B / J + u'^2) u
@@ -50,10 +50,10 @@ pub fn axis_acceleration(model: &Model, work: &mut Workspace, axis: Axis) -> Com
     acceleration
 }
 
-/// What draws at the axis: sums of B, with moments `u x B`; world axes.
+/// Pulls at the axis: sums of B, with moments `u x B`; world axes.
 struct Pulls {
     any: Components,
-    /// Of those that are perpendicular to u.
+    /// The sum of those that are perpendicular to u.
     across: Components,
 }
 
@@ -97,7 +97,7 @@ fn pulls(model: &Model, work: &mut Workspace, axis: Axis) -> Pulls {
     pulls
 }
 
-/// B of a moment K: of a multiple of `u x b`, that of b; else `K x u`.
+/// B of a moment K: for a multiple of `u x b`, that of b; otherwise `K x u`.
 fn pull_of(work: &mut Workspace, axis: Axis, moment: Vector) -> Components {
     let moment = work.part(moment, Frame::WORLD);
     let opposite = work.graph.negate_vector(moment);
@@ -146,7 +146,7 @@ pub fn of_angular(work: &mut Workspace, axis: Axis, angular: Components) -> Comp
     acceleration
 }
 
-/// How u changes by a turn: `phi x u`.
+/// The change of u under a rotation: `phi x u`.
 pub fn turned_by(work: &mut Workspace, axis: Axis, turn: Components) -> Components {
     work.graph.cross(turn, axis.unit)
 }
@@ -185,7 +185,7 @@ pub fn check_loads(
     None
 }
 
-/// What moments are along the axis.
+/// The moments along the axis.
 pub fn parts_along(
     work: &mut Workspace,
     axis: Axis,
@@ -198,7 +198,7 @@ pub fn parts_along(
     parts.collect()
 }
 
-/// Which of them do not vanish.
+/// Those that do not vanish.
 pub fn not_vanishing(work: &mut Workspace, parts: &[Id]) -> Vec<usize> {
     let samples = samples(work, parts);
     (0..parts.len())

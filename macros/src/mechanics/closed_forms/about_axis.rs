@@ -7,7 +7,7 @@ use crate::symbolic::{Function, Id};
 
 use super::forms::{Contribution, Rotation, dependence};
 
-/// What a load makes of the motion about an axis.
+/// The effect of a load on the motion about an axis.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Constant,
@@ -16,7 +16,7 @@ enum Kind {
     Other,
 }
 
-/// The motion about an axis, or what is in its way.
+/// The motion about an axis, or the obstacle.
 pub fn about_axis(
     model: &Model,
     work: &mut Workspace,
@@ -77,7 +77,7 @@ fn pendulum(work: &mut Workspace, (sine, cosine): (Id, Id)) -> Rotation {
     Rotation::Pendulum { rate, hanging }
 }
 
-/// The loads that have a moment about the axis, with that and its kind.
+/// The loads with a moment about the axis, each with the moment and its kind.
 fn kinds<'a>(
     model: &Model,
     work: &mut Workspace,

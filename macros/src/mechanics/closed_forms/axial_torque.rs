@@ -7,7 +7,7 @@ use crate::symbolic::{Components, Id};
 use super::axis_of_symmetry::axes_of_symmetry;
 use super::solid::Solid;
 
-/// What the motion of a body under a moment along its axis depends on.
+/// The parameters of the motion of a body under a moment along its axis.
 pub struct AxialTorque {
     /// Across the axis and about it.
     pub moments: [Id; 2],
@@ -23,7 +23,7 @@ impl AxialTorque {
     }
 }
 
-/// The axis and the torque along it, if the moment, body axes, is constant and is along an axis of
+/// The axis and the torque along it, if the moment, in body axes, is constant and along an axis of
 /// symmetry.
 pub fn axial_torque(
     solid: &Solid,

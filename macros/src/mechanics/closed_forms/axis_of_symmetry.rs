@@ -8,8 +8,8 @@ use super::free_rotation::unit;
 use super::solid::Solid;
 
 /// Moments of inertia across and along axes about which the body is symmetric, and unit vectors
-/// along them: of a spherical one, along one of these directions, if it is known, and the axes of
-/// the body.
+/// along them: for a spherical one, along one of these directions, if it is known, and the body
+/// axes.
 pub fn axes_of_symmetry(
     solid: &Solid,
     work: &mut Workspace,
@@ -49,7 +49,7 @@ pub fn axes_of_symmetry(
         .collect()
 }
 
-/// Of a tensor of parameters, whether it is symmetric about a coordinate axis.
+/// Whether a tensor of parameters is symmetric about a coordinate axis.
 fn is_symmetric(work: &mut Workspace, rows: &[Components; 3], axis: usize) -> bool {
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
     let difference = work.graph.subtract(rows[i][i], rows[j][j]);
@@ -57,7 +57,7 @@ fn is_symmetric(work: &mut Workspace, rows: &[Components; 3], axis: usize) -> bo
     all_vanish(work, &roots)
 }
 
-/// The unit vector along a vector of numbers that is not zero.
+/// The unit vector along a nonzero vector of numbers.
 fn known_direction(graph: &mut Graph, vector: &Components) -> Option<Components> {
     let number = |i: usize| graph.as_number(vector[i]).cloned();
     let components = [number(0)?, number(1)?, number(2)?];

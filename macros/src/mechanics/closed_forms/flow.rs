@@ -1,7 +1,7 @@
-//! Motions in closed form: which one a body has, or what is in the way of it.
+//! Motions in closed form: the one that a body has, or the obstacle.
 //!
-//! G moves on a parabola if nothing but constant forces, in world axes, act on the body. Apart from
-//! that it turns
+//! G moves on a parabola if only constant forces, in world axes, act on the body. The rotation
+//! is one of
 //!
 //! ```text
 //! in space        freely: no moment about G, or about the point that is held
@@ -25,7 +25,7 @@ use super::free_rotation::free;
 use super::lagrange_top::lagrange_top;
 use super::solid::Solid;
 
-/// The closed form. All that is in its way is reported at the place where it is asked for.
+/// The closed form. All obstacles are reported at the request.
 pub fn derive_flow(
     model: &Model,
     work: &mut Workspace,
@@ -155,8 +155,8 @@ pub fn symmetric(solid: &Solid, work: &mut Workspace, moment: Components) -> Opt
     axial_torque(solid, work, moment).map(Rotation::Axial)
 }
 
-/// What is in the way of free rotation, and does not make a top or a spin that is linear in time
-/// either.
+/// Reports the obstacles to free rotation that do not make a top or a spin that is linear in time
+/// instead.
 fn report_moments(
     model: &Model,
     work: &mut Workspace,

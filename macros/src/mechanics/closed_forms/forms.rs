@@ -1,4 +1,4 @@
-//! The closed forms that there are, and what a load may depend on in each.
+//! The closed forms, and the permitted dependencies of loads in each.
 
 use crate::model::{Meaning, Motion, Variable, Workspace};
 use crate::symbolic::{Components, Id};
@@ -10,20 +10,20 @@ use super::lagrange_top::Top;
 
 /// The motion of a body in closed form.
 pub struct Flow {
-    /// Acceleration of G, constant, world axes; zero where G has no coordinates.
+    /// Acceleration of G, constant, world axes; zero if G has no coordinates.
     pub linear: Components,
     pub rotation: Rotation,
 }
 
 impl Flow {
-    /// What the start of a path reads: all but the entries of a tensor.
+    /// The expressions read at the start of a path, except the entries of a tensor.
     pub fn roots(&self) -> Vec<Id> {
         let mut roots = self.linear.to_vec();
         roots.extend(self.rotation.roots());
         roots
     }
 
-    /// The entries of a tensor of which the principal axes are found when the body is built.
+    /// The entries of a tensor whose principal axes are found when the body is built.
     pub fn tensor(&self) -> Option<[Id; 6]> {
         match self.rotation {
             Rotation::Free(Free::Tensor(entries)) => Some(entries),
@@ -31,7 +31,7 @@ impl Flow {
         }
     }
 
-    /// Which motion it is, line by line.
+    /// The type of the motion, line by line.
     pub fn describe(&self, motion: Motion) -> Vec<String> {
         let center = motion.translates().then_some("G moves on a parabola");
         let lines = center.into_iter().chain(self.rotation.describe());
@@ -39,9 +39,9 @@ impl Flow {
     }
 }
 
-/// How a body turns.
+/// The rotation of a body.
 pub enum Rotation {
-    /// Not at all.
+    /// None.
     None,
     /// In space, without a moment.
     Free(Free),
@@ -99,16 +99,16 @@ impl Rotation {
     }
 }
 
-/// What a load does, without unknown components.
+/// The effect of a load, without unknown components.
 pub struct Contribution {
     pub name: String,
     /// World axes.
     pub force: Components,
-    /// About G, or the point that is held; body axes, of a rod world axes.
+    /// About G, or the held point; body axes, for a rod world axes.
     pub moment: Components,
 }
 
-/// What expressions depend on: of several things, the one that is furthest from a constant.
+/// The dependency of expressions; of several, the one that is furthest from a constant.
 pub fn dependence(work: &Workspace, roots: &[Id]) -> &'static str {
     let graph = &work.graph;
     let causes = graph

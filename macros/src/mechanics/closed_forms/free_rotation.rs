@@ -1,4 +1,4 @@
-//! Free rotation in closed form: by the moments of inertia, where these are known.
+//! Free rotation in closed form, classified by the moments of inertia if these are known.
 
 use crate::model::Workspace;
 use crate::symbolic::{Components, Graph, Id, Number, Spectrum};
@@ -16,7 +16,7 @@ pub enum Free {
     /// Three principal moments, and unit vectors of their axes, body axes.
     Principal([Id; 3], [Components; 3]),
     /// The entries xx, yy, zz, xy, yz, zx of a tensor that is known when the body is built; its
-    /// principal axes are found then.
+    /// principal axes are computed then.
     Tensor([Id; 6]),
 }
 

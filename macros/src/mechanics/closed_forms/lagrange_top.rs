@@ -1,17 +1,17 @@
 //! Lagrange's top: a body that is symmetric about an axis e, under a couple `k x e` with k constant
 //! in the world.
 //!
-//! The moment of forces that are constant in the world is `sum r_l x W_l`, of the world's axes
-//! `r_l` as the body sees them and vectors `W_l` of the body. The twelve rotations of a tetrahedron
-//! tell these: over them the mean of the dyad `r_l r_m` is 1/3 of unity for l = m, and zero
+//! The moment of forces that are constant in the world is `sum r_l x W_l`, with the world's axes
+//! `r_l` in body axes and vectors `W_l` of the body. The twelve rotations of a tetrahedron
+//! determine these: over them the mean of the dyad `r_l r_m` is 1/3 of unity for l = m, and zero
 //! otherwise.
 //!
 //! ```text
 //! W_l = 1/8 sum over rotations of M x r_l        k_l = W_l . e
 //! ```
 //!
-//! Whether `k x e` is the moment is tried at random states; whether it may be, before any number is
-//! computed.
+//! Whether `k x e` is the moment is tested at random states; whether it may be is decided before
+//! any number is computed.
 
 use crate::mechanics::proofs::{all_vanish, cancels_in_half_turns};
 use crate::model::{Attitude, Frame, Workspace};
@@ -20,7 +20,7 @@ use crate::symbolic::{Components, Id, Number};
 use super::axis_of_symmetry::axes_of_symmetry;
 use super::solid::Solid;
 
-/// What the motion of a top depends on.
+/// The parameters of the motion of a top.
 pub struct Top {
     /// Across the axis and about it.
     pub moments: [Id; 2],
@@ -106,8 +106,8 @@ fn arms(solid: &Solid, work: &mut Workspace, moment: Components) -> Option<[Comp
     Some(arms.map(|arm| graph.scale_vector(share, arm)))
 }
 
-/// The rotations of a tetrahedron: the unit quaternions that are whole, or halves throughout, up to
-/// their sign.
+/// The rotations of a tetrahedron: the unit quaternions with integer components, or with
+/// half-integer ones throughout, up to their sign.
 fn tetrahedral() -> impl Iterator<Item = [Number; 4]> {
     let whole =
         (0..4).map(|place| [0, 1, 2, 3].map(|part| Number::integer(i64::from(part == place))));

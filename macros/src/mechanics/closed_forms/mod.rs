@@ -1,4 +1,4 @@
-//! Motions that are known in closed form, and which one a body has.
+//! Motions in closed form, and their detection.
 
 mod about_axis;
 mod axial_torque;

@@ -1,4 +1,4 @@
-//! Loads that follow what is solved for: they are linear in unknown reactions and in accelerations
+//! Loads that depend on solved unknowns: they are linear in unknown reactions and accelerations
 //! together, or an error.
 
 use crate::errors::{Errors, Extent};
@@ -6,7 +6,8 @@ use crate::mechanics::proofs::all_vanish;
 use crate::model::{Load, Meaning, Point, Workspace};
 use crate::symbolic::Id;
 
-/// What messages call an unknown reaction, this one, and how to write what follows it.
+/// The words for an unknown reaction in messages, and the correct form of a load that depends on
+/// it.
 #[derive(Clone, Copy)]
 pub struct Followed {
     any: &'static str,
@@ -36,7 +37,7 @@ const ACCELERATION: Followed = Followed {
 };
 
 impl Followed {
-    /// What these follow of the two.
+    /// Which of the two kinds these depend on.
     fn in_parts(self, work: &Workspace, roots: &[Id]) -> Self {
         if work.accelerations_in(roots).is_empty() {
             self
@@ -46,8 +47,8 @@ impl Followed {
     }
 }
 
-/// Each load is what it is without the unknowns and what its slopes make of them, proved in all
-/// states; and where it acts does not follow them.
+/// Each load equals its value without the unknowns plus its slopes times the unknowns, proved in
+/// all states; and its point of action does not depend on them.
 pub fn check_linear<'l>(
     loads: impl Iterator<Item = &'l Load>,
     followed: Followed,
@@ -74,7 +75,7 @@ pub fn check_linear<'l>(
     (errors.count() == before).then_some(())
 }
 
-/// The same of a load by its components.
+/// The same for a load by its components.
 pub fn check_parts(
     work: &mut Workspace,
     (name, place): (&str, Extent),

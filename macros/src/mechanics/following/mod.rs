@@ -1,4 +1,4 @@
-//! Loads that follow what is solved for: accelerations, and the loads of constraints.
+//! Loads that depend on solved unknowns: accelerations, and the loads of constraints.
 
 mod linear;
 mod settled;

@@ -1,12 +1,12 @@
-//! Loads of a body that follow the acceleration which they make: added mass, what hangs on the rate of
-//! an angle of attack. They are linear in it,
+//! Loads of a body that depend on the acceleration which they cause: added mass, or a load by the
+//! rate of an angle of attack. They are linear in it,
 //!
 //! ```text
 //! m a = F_0 + A a + B w'          a in body axes, where these turn freely
 //! w' = J^-1 (M(a, w') - w x J w)
 //! ```
 //!
-//! and what they follow goes to the left, where it is solved for.
+//! and these terms move to the left side, where they are solved for.
 
 use std::mem::replace;
 
@@ -18,7 +18,7 @@ use crate::mechanics::proofs::samples;
 use crate::model::{Frame, Inertia, Load, Meaning, Model, Pair, Variable, Vector, Workspace};
 use crate::symbolic::{Components, Equation, Id, Size};
 
-/// An acceleration that loads follow, and what it is by its balance, less itself: zero.
+/// An acceleration on which loads depend, and its balance minus itself: zero.
 struct Followed {
     variable: Variable,
     axis: usize,
@@ -26,13 +26,14 @@ struct Followed {
     residual: Id,
 }
 
-/// The accelerations that loads follow: each symbol with its value.
+/// The accelerations on which loads depend: each symbol with its value.
 pub struct Settled {
     pub values: Vec<(Id, Id)>,
     pub accelerations: Pair,
 }
 
-/// Solves for what loads follow, from the accelerations by its symbols. Nothing if none do.
+/// Solves for these accelerations, from the accelerations by their symbols. Nothing if there are
+/// none.
 #[allow(
     clippy::option_option,
     reason = "outer: reported; inner: nothing to solve for"
@@ -69,12 +70,12 @@ pub fn settle(
     }))
 }
 
-/// What to say of a load that leaves no inertia.
+/// The message for a load that leaves no inertia.
 pub fn takes_inertia(name: &str) -> String {
     format!("`{name}` takes the inertia away: nothing determines the acceleration then")
 }
 
-/// Of the linear and of the angular acceleration all components, if loads follow any of them.
+/// All components of the linear and of the angular acceleration, if loads depend on any of them.
 fn list_followed(model: &Model, work: &mut Workspace, accelerations: Pair) -> Vec<Followed> {
     let loads = model.loads.iter();
     let parts: Vec<Id> = loads
@@ -108,7 +109,7 @@ fn list_followed(model: &Model, work: &mut Workspace, accelerations: Pair) -> Ve
     followed
 }
 
-/// What is zero by the balance of an acceleration, by its axes.
+/// The expressions that vanish by the balance of an acceleration, along its axes.
 fn residual(
     model: &Model,
     work: &mut Workspace,
@@ -135,7 +136,7 @@ fn residual(
     }
 }
 
-/// `J w' + w x J w - M` of a full tensor, which is not inverted by itself then.
+/// `J w' + w x J w - M` for a full tensor, which is then not inverted separately.
 fn moments_lacking(model: &Model, work: &mut Workspace, rate: Components) -> Option<Components> {
     let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
         return None;
@@ -150,7 +151,7 @@ fn moments_lacking(model: &Model, work: &mut Workspace, rate: Components) -> Opt
     moments.extend(known.map(|(_, moment)| moment));
     let moment = work.sum(moments);
     let moment = work.components(moment, model.state.axes);
-    // a multiple of the unit matrix changes nothing in w x J w
+    // a multiple of the unit matrix does not change w x J w
     let (graph, w) = (&mut work.graph, model.state.angular_velocity);
     let mut deviator = rows;
     for (axis, row) in deviator.iter_mut().enumerate() {
@@ -164,7 +165,7 @@ fn moments_lacking(model: &Model, work: &mut Workspace, rate: Components) -> Opt
     Some(graph.subtract_vectors(taken, moment))
 }
 
-/// What these are zero for.
+/// The unknowns for which these are solved.
 fn equations(work: &mut Workspace, residuals: &[Id], symbols: &[Id]) -> Vec<Equation> {
     let graph = &mut work.graph;
     let zero = graph.zero();
@@ -179,7 +180,7 @@ fn equations(work: &mut Workspace, residuals: &[Id], symbols: &[Id]) -> Vec<Equa
     let mut values = samples(work, &rows.concat()).into_iter();
     let equations = rows.into_iter().zip(rest).enumerate();
     let equations = equations.map(|(row, (coefficients, rest))| {
-        // inertia is on the diagonal, and what stands beside it is smaller
+        // inertia is on the diagonal, and the other terms are smaller
         let mut sizes = vec![Size::Beside; coefficients.len()];
         sizes[row] = Size::Terms;
         Equation {
@@ -193,7 +194,7 @@ fn equations(work: &mut Workspace, residuals: &[Id], symbols: &[Id]) -> Vec<Equa
     equations.collect()
 }
 
-/// The accelerations: what was solved for, and the rest by it.
+/// The accelerations: the solved ones, and the others by them.
 fn put_into(
     model: &Model,
     work: &mut Workspace,
@@ -238,19 +239,19 @@ fn put_into(
     Pair { linear, angular }
 }
 
-/// Whether a load follows an acceleration.
+/// Whether a load depends on an acceleration.
 fn follows(work: &Workspace, load: &Load) -> bool {
     let parts = work.entries(&[load.force, load.moment]);
     !work.accelerations_in(&parts).is_empty()
 }
 
-/// Puts what was solved for into the loads, which are kept as they were beside.
+/// Substitutes the solutions into the loads, and keeps the original loads separately.
 pub fn put_settled(model: &mut Model, work: &mut Workspace, values: &[(Id, Id)]) {
     let settled = loads_with(&model.loads, work, values);
     model.following = replace(&mut model.loads, settled);
 }
 
-/// A body whose loads follow accelerations that are given.
+/// A body whose loads use given accelerations.
 pub fn as_given(model: &Model, work: &mut Workspace) -> Option<Model> {
     if model.following.is_empty() {
         return None;
@@ -269,7 +270,7 @@ pub fn as_given(model: &Model, work: &mut Workspace) -> Option<Model> {
     })
 }
 
-/// Loads with values in the place of symbols.
+/// Loads with values in place of symbols.
 fn loads_with(loads: &[Load], work: &mut Workspace, values: &[(Id, Id)]) -> Vec<Load> {
     let mut put = |vector: Vector| work.map(vector, |graph, part| graph.replaced(part, values));
     let loads = loads.iter();

@@ -1,4 +1,4 @@
-//! The blocks of a linearisation, by what changes and what it changes with.
+//! The blocks of a linearization, by row and column groups.
 
 use crate::mechanics::proofs::vanishing;
 use crate::model::{Outline, Variable, Workspace};
@@ -6,24 +6,24 @@ use crate::symbolic::{Components, Id};
 
 use super::changes::{Changes, Column};
 
-/// What the rates of a state change by with state and input.
+/// The derivatives of the rates of a state by state and input.
 pub struct Linearization {
     pub accelerations: Vec<Id>,
-    /// Those that are not zero, row by row.
+    /// The nonzero blocks, row by row.
     pub blocks: Vec<Block>,
 }
 
-/// What one group changes by with another.
+/// The derivatives of one group by another.
 pub struct Block {
     pub row: Row,
     pub column: Column,
     /// Column by column.
     pub entries: Vec<Id>,
-    /// Which of them may be other than zero.
+    /// Which of them may be nonzero.
     pub is_there: Vec<bool>,
 }
 
-/// What changes: the rate of an attitude, by its number in the tangent space; or a group of
+/// A row group: the rate of an attitude, by its index in the tangent space; or a group of
 /// accelerations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Row {
@@ -31,7 +31,7 @@ pub enum Row {
     Acceleration(usize),
 }
 
-/// Puts together what is not zero.
+/// Assembles the nonzero blocks.
 pub fn assemble(
     outline: &Outline,
     work: &mut Workspace,
@@ -56,7 +56,7 @@ pub fn assemble(
     }
 }
 
-/// Puts together what accelerations change by, where that is not zero.
+/// Assembles the nonzero derivatives of accelerations.
 pub fn blocks_by(
     outline: &Outline,
     work: &mut Workspace,
@@ -69,7 +69,7 @@ pub fn blocks_by(
     }
 }
 
-/// What changes, what it changes with, and the entries of the block.
+/// The row group, the column group, and the entries of the block.
 type Written = (Row, Column, Vec<Id>);
 
 fn by_accelerations(outline: &Outline, changes: &Changes) -> Vec<Written> {

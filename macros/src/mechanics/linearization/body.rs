@@ -1,4 +1,5 @@
-//! The linearisation of a body: its accelerations are differentiated in each direction of its states.
+//! The linearization of a body: its accelerations are differentiated in each direction of its
+//! states.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +10,7 @@ use crate::symbolic::Id;
 use super::blocks::{Linearization, assemble};
 use super::changes::{Column, Directions, changes, of_inputs};
 
-/// What the accelerations of a body change by.
+/// The derivatives of the accelerations of a body.
 pub fn linearize_body(
     outline: &Outline,
     model: &Model,
@@ -36,7 +37,7 @@ pub fn linearize_body(
     assemble(outline, work, accelerations, &changes, spin)
 }
 
-/// The accelerations that the state has, and the rates of states of one's own.
+/// The accelerations of the state, and the rates of user-defined states.
 pub fn in_order(model: &Model, Pair { linear, angular }: Pair) -> Vec<Id> {
     let motion = model.motion;
     let accelerations = [

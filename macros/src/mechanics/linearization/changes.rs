@@ -1,11 +1,11 @@
-//! The derivatives in all directions: backwards from each expression, or forwards in each direction,
-//! whichever takes fewer operations.
+//! The derivatives in all directions: backwards from each expression, or forwards in each
+//! direction, whichever takes fewer operations.
 
 use crate::mechanics::variation::{self, Direction, Leaves, Slopes};
 use crate::model::{Meaning, Outline, Workspace};
 use crate::symbolic::Id;
 
-/// With what something changes: a group of the tangent space, an input, or a parameter.
+/// A column group: a group of the tangent space, an input, or a parameter.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Column {
     State(usize),
@@ -16,7 +16,7 @@ pub enum Column {
 /// Each group of columns, with a direction for each of its components.
 pub type Directions = Vec<(Column, Vec<Direction>)>;
 
-/// What the accelerations change by in each of these directions.
+/// The derivatives of the accelerations in each of these directions.
 pub type Changes = Vec<(Column, Vec<Vec<Id>>)>;
 
 /// The directions in which one component of an input changes.
@@ -32,7 +32,7 @@ pub fn of_inputs(outline: &Outline, work: &mut Workspace) -> Directions {
     inputs.collect()
 }
 
-/// What `finish` makes of the changes of `roots`; it is computed beside the `accelerations`.
+/// The result of `finish` for the changes of `roots`, computed together with the `accelerations`.
 pub fn changes(
     work: &mut Workspace,
     roots: &[Id],

@@ -1,4 +1,4 @@
-//! Linearisation: what the rates of a state change by, to first order, on its tangent space.
+//! Linearization: the first derivatives of the rates of a state, on its tangent space.
 
 mod blocks;
 mod body;

@@ -1,5 +1,5 @@
-//! What accelerations change by with parameters. Nothing moves, so that the chain rule goes through
-//! rotations as through all else, and through what parameters alone make.
+//! Derivatives of accelerations by parameters. Nothing moves, so the chain rule passes through
+//! rotations as through everything else, and through expressions of parameters alone.
 
 use crate::mechanics::system::{Response, SystemEquations};
 use crate::model::{Meaning, Model, Outline, Pair, System, Workspace};
@@ -23,7 +23,8 @@ pub fn sensitivity_of_body(
     blocks_by(outline, work, accelerations, &changes)
 }
 
-/// Of a tree the balances are differentiated; of what is kept beside it the accelerations.
+/// For a tree the balances are differentiated; for a system held by more than a tree, the
+/// accelerations.
 pub fn sensitivity_of_system(
     outline: &Outline,
     system: &System,

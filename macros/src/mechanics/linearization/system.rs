@@ -1,5 +1,5 @@
-//! The linearisation of a system: of a tree the balances are differentiated, and solved with the
-//! mass matrix; of what is kept beside it the accelerations themselves.
+//! The linearization of a system: for a tree the balances are differentiated, and solved with the
+//! mass matrix; for a system held by more than a tree, the accelerations themselves.
 
 use crate::mechanics::system::{Response, SystemEquations, unit_motion};
 use crate::mechanics::variation::Direction;
@@ -9,7 +9,7 @@ use crate::symbolic::{Components, Id};
 use super::blocks::{Linearization, assemble};
 use super::changes::{Column, Directions, changes, of_inputs};
 
-/// What the accelerations of a system change by.
+/// The derivatives of the accelerations of a system.
 pub fn linearize_system(
     outline: &Outline,
     system: &System,
@@ -49,8 +49,8 @@ pub fn linearize_system(
     assemble(outline, work, accelerations, &changes, spin)
 }
 
-/// The accelerations in the order of the state, and what is differentiated for them; the rates of
-/// states of one's own are behind both.
+/// The accelerations in the order of the state, and the expressions that are differentiated for
+/// them; the rates of user-defined states come after both.
 pub fn changing(
     system: &System,
     equations: &SystemEquations,

@@ -1,4 +1,4 @@
-//! What is proved to be zero, at a random state.
+//! Proofs of zero, at a random state.
 
 mod random_state;
 mod zeros;

@@ -1,13 +1,13 @@
-//! A state of a body at random, modulo the prime of the test for zeros.
+//! A random state of a body, modulo the prime of the zero test.
 
 use crate::model::{Meaning, Variable, Workspace};
 use crate::symbolic::{Id, Residue, free};
 
-/// A random state. What is not free of it is rational in what is: a unit quaternion and a unit
+/// A random state. Dependent components are rational in the free ones: a unit quaternion and a unit
 /// vector by stereographic projection, the rate of the unit vector as a product with it.
 pub struct RandomState {
     pub number: u64,
-    /// That of the first body; others are turned in their own way.
+    /// The attitude of the first body; others have different ones.
     pub quaternion: [Residue; 4],
     /// The axis of each body about which it is half a turn further.
     half_turn: Option<usize>,
@@ -66,13 +66,13 @@ impl RandomState {
     }
 }
 
-/// `(1 - s^2, 2 s) / (1 + s^2)` of a vector s: a unit vector of one more dimension.
+/// `(1 - s^2, 2 s) / (1 + s^2)` for a vector s: a unit vector of one more dimension.
 pub fn unit_vector<const N: usize, const M: usize>(s: [Residue; N]) -> [Residue; M] {
     let square = s
         .iter()
         .fold(Residue::ZERO, |sum, part| sum + *part * *part);
     let below = Residue::ONE + square;
-    // -1 is no square of a real residue, but a sum of squares may be -1
+    // -1 is no square of a residue, but a sum of squares may be -1
     let scale = below.reciprocal().unwrap_or(Residue::ONE);
     core::array::from_fn(|part| match part.checked_sub(1) {
         None => (Residue::ONE + -square) * scale,

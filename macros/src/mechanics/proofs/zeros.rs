@@ -1,4 +1,4 @@
-//! What is proved to be zero in all states, by the values of expressions at one random state.
+//! Expressions proved to be zero in all states, by their values at one random state.
 
 use crate::model::Workspace;
 use crate::symbolic::{Id, Sample};
@@ -10,8 +10,8 @@ pub fn all_vanish(work: &Workspace, roots: &[Id]) -> bool {
     samples(work, roots).iter().all(Sample::is_zero)
 }
 
-/// Which of `roots` are proved to be zero in all states: seen together, and by itself where one that
-/// is not told by residues hides what others are.
+/// Which of `roots` are proved to be zero in all states: tested together, and separately if one
+/// that residues cannot decide hides the others.
 pub fn vanishing(work: &Workspace, roots: &[Id]) -> Vec<bool> {
     let samples = samples(work, roots);
     let all = samples.iter().zip(roots);
@@ -25,8 +25,8 @@ pub fn samples(work: &Workspace, roots: &[Id]) -> Vec<Sample> {
     work.graph.samples(roots, |id| state.of(work, id))
 }
 
-/// Whether the sums of `roots` over an attitude and its half turns about the axes of the body are
-/// proved to be zero: those of the entries of its matrix are, and of what is linear in them.
+/// Whether the sums of `roots` over an attitude and its half turns about the body axes are
+/// proved to be zero: those of the entries of its matrix are, and of everything linear in them.
 pub fn cancels_in_half_turns(work: &Workspace, roots: &[Id]) -> bool {
     let states = [None, Some(0), Some(1), Some(2)].map(|axis| RandomState::draw(0).turned(axis));
     let places = states.each_ref().map(|state| |id| state.of(work, id));

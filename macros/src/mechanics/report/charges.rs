@@ -1,9 +1,9 @@
-//! Where a uniform field acts on constant charges: (34.8), (34.9).
+//! The points at which uniform fields act on constant charges: (34.8), (34.9).
 
 use crate::model::{Model, Potential, Workspace, shown};
 use crate::symbolic::Number;
 
-/// For each field, `r_0 = p / sum e`, where its resultant acts, or that there is none.
+/// For each field, the point of its resultant, `r_0 = p / sum e`, or that there is none.
 pub fn list_centers(model: &Model, work: &Workspace) -> Vec<String> {
     let potentials = model.potentials.list.iter();
     potentials

@@ -1,4 +1,5 @@
-//! What kind of body has a constant tensor, in the words of the runtime's `Symmetry` and `Extent`.
+//! The class of a body with a constant tensor, in the words of the runtime's `Symmetry` and
+//! `Extent`.
 
 use crate::model::{Inertia, Model, Workspace, is_flat, shown};
 use crate::symbolic::{Function, Number, Spectrum, Symmetry};
@@ -6,8 +7,8 @@ use crate::symbolic::{Function, Number, Spectrum, Symmetry};
 /// A principal moment and the unit vector of its axis.
 type Moment = (Number, [Number; 3]);
 
-/// Principal moments and axes about G, in body axes, and what they say about the body; nothing
-/// unless the body turns in space and its tensor is known.
+/// Principal moments and axes about G, in body axes, and the class of the body; nothing
+/// unless the body rotates in space and its tensor is known.
 pub fn classify(model: &Model, work: &mut Workspace) -> Vec<String> {
     let Inertia::Spatial(rows) = model.inertia else {
         return Vec::new();
@@ -73,7 +74,7 @@ fn general(mut principal: [Moment; 3], is_flat: bool) -> Vec<String> {
     lines
 }
 
-/// The largest moment over the least, beyond which a body is like a rod.
+/// The ratio of the largest moment to the least, beyond which a body is like a rod.
 const SLENDER: i64 = 1000;
 
 const PLANAR: &str = "planar: all mass is in the plane normal to ";

@@ -1,4 +1,4 @@
-//! What is told to the user: what was skipped, and what kind of body it is.
+//! Reports to the user: skipped terms, and the class of the body.
 
 mod charges;
 mod inertia_class;

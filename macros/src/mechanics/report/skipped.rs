@@ -1,4 +1,4 @@
-//! What the equations of a body do not contain, and why: the text of `SKIPPED`.
+//! The terms that the equations of a body do not contain, and why: the text of `SKIPPED`.
 
 use crate::mechanics::balances::{EulerForm, inertia_about_center};
 use crate::mechanics::structure::{Structure, Symmetry};
@@ -47,7 +47,7 @@ fn skip_equations(model: &Model, skipped: &mut Vec<String>) {
     }
 }
 
-/// What of the tensor about G, or about the point that is held, is not in the balance.
+/// The entries of the tensor about G, or about the held point, that the balance does not contain.
 fn skip_gyroscopic(
     model: &Model,
     work: &mut Workspace,

@@ -1,5 +1,5 @@
-//! What of the loads does not appear in the equations: moments that vanish, sums that are taken
-//! before the state is known, parts of the rotation that nothing needs.
+//! Parts of loads that do not appear in the equations: vanishing moments, sums computed
+//! before the state is known, unused parts of the rotation.
 
 use crate::mechanics::balances::{is_along_axis, is_diagonal, resultant};
 use crate::model::{AXES, Attitude, Frame, Inertia, Load, Model, Pair, Workspace};
@@ -20,7 +20,7 @@ pub fn skip_loads(
     skip_mass(model, work, &accelerations.entries(), skipped);
 }
 
-/// Forces that add up to nothing leave a couple.
+/// Forces whose sum is zero leave a couple.
 fn skip_resultant(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
     let acts = |load: &Load| !load.force.is_zero();
     if !model.motion.translates() || !model.loads.iter().any(acts) {
@@ -69,7 +69,7 @@ fn skip_moments(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) 
     }
 }
 
-/// What a potential does not depend on makes no force, or no moment.
+/// A potential has no force or no moment along variables that it does not contain.
 fn skip_potentials(model: &Model, skipped: &mut Vec<String>) {
     let derived = model.loads.iter().filter(|load| load.potential.is_some());
     for load in derived {
@@ -114,7 +114,7 @@ fn merge_charges(model: &Model, skipped: &mut Vec<String>) {
     }
 }
 
-/// Loads that are the same in all states are added before.
+/// Loads that are the same in all states are added in advance.
 fn merge_constants(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
     if model.motion.is_line() {
         return;
@@ -156,8 +156,8 @@ fn merge_constants(model: &Model, work: &mut Workspace, skipped: &mut Vec<String
     }
 }
 
-/// A force or a moment that is known before the state is, in these axes; in those of the world, at
-/// G.
+/// A force or a moment that is known before the state is, in these axes; if these are the world's,
+/// at G.
 fn is_constant(model: &Model, work: &Workspace, load: &Load, frame: Frame) -> bool {
     let graph = &work.graph;
     let Some(offset) = load.point.offset(model.state.body) else {
@@ -174,8 +174,8 @@ fn is_constant(model: &Model, work: &Workspace, load: &Load, frame: Frame) -> bo
         && (frame == model.state.body || is_at_center)
 }
 
-/// Of the rotation, one column turns what is along an axis of the body, one row what is along one
-/// of the world.
+/// One column of the rotation suffices for vectors along a body axis, one row for vectors along a
+/// world axis.
 fn skip_rotation(model: &Model, work: &mut Workspace, roots: &[Id], skipped: &mut Vec<String>) {
     if !matches!(work.attitude(model.state.body), Attitude::Quaternion { .. }) {
         return;
@@ -190,7 +190,7 @@ fn skip_rotation(model: &Model, work: &mut Workspace, roots: &[Id], skipped: &mu
     for (to, lines, axes) in parts {
         let mut along = [false; 3];
         for turn in turns.iter().filter(|turn| turn.to == to) {
-            // without the factor that goes with what multiplies it
+            // without the factor of the multiplied expression
             let late = turn.turned.map(|part| {
                 let (_, magnitude) = graph.split_sign(part);
                 graph.split_factor(magnitude).1

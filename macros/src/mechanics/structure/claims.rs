@@ -1,5 +1,5 @@
-//! What the accelerations of a body depend on, and what leaves them as they are: what generic
-//! integrators branch on.
+//! The dependencies and symmetries of the accelerations of a body, on which generic
+//! integrators branch.
 
 use std::collections::HashMap;
 
@@ -10,36 +10,36 @@ use crate::symbolic::{Components, Id, Number};
 
 use super::symmetry::{Space, Symmetry, symmetries};
 
-/// What an integrator can know of a body.
+/// The properties of a body for integrators.
 #[derive(Clone)]
 pub struct Structure {
     pub linear: Dependence,
     pub angular: Dependence,
     /// G does not accelerate.
     pub is_force_free: bool,
-    /// No moment acts about G, or about the point that is held.
+    /// No moment acts about G, or about the held point.
     pub is_torque_free: bool,
-    /// Nothing turns the body about the axes of its symmetry.
+    /// Nothing rotates the body about its axes of symmetry.
     pub keeps_spin: bool,
-    /// The axis of symmetry, a unit vector in body axes, if the body may be turned about it and
+    /// The axis of symmetry, a unit vector in body axes, if the body may be rotated about it and
     /// keeps its spin.
     pub spin_axis: Option<[Number; 3]>,
-    /// In the plane across which of the axes a motion stays.
+    /// The axes for which a motion stays in the plane perpendicular to it.
     pub planes: [bool; 3],
 }
 
-/// What one of the accelerations depends on.
+/// The dependencies of one of the accelerations.
 #[derive(Clone)]
 pub struct Dependence {
     /// In the order of [`QUANTITIES`].
     pub reads: [bool; 7],
-    /// Directions about which the world may be turned.
+    /// Directions about which the world may be rotated.
     pub world: Symmetry,
-    /// Directions about which the axes of the body may be turned.
+    /// Directions about which the axes of the body may be rotated.
     pub body: Symmetry,
 }
 
-/// The names of what can be read.
+/// The names of the quantities.
 pub const QUANTITIES: [&str; 7] = [
     "time",
     "position",
@@ -76,7 +76,7 @@ pub fn derive_structure(model: &Model, work: &mut Workspace, accelerations: Pair
     }
 }
 
-/// The index in [`QUANTITIES`] of what a symbol is a part of.
+/// The index in [`QUANTITIES`] of the quantity that a symbol belongs to.
 fn quantity(meaning: Meaning) -> Option<usize> {
     match meaning {
         Meaning::Time => Some(0),
@@ -102,7 +102,7 @@ fn reads(work: &Workspace, roots: &[Id]) -> [bool; 7] {
     reads
 }
 
-/// Whether whatever acts has no moment.
+/// Whether the total moment is zero.
 fn is_torque_free(model: &Model, work: &mut Workspace, angular: &Components) -> bool {
     let w = model.state.angular_velocity;
     let moment = match (inertia_about_center(model, work), model.state.axis) {
@@ -125,8 +125,8 @@ fn is_torque_free(model: &Model, work: &mut Workspace, angular: &Components) -> 
     all_vanish(work, &moment) || model.constraints.is_empty() && has_no_moment(model, work)
 }
 
-/// Whether the moments of all loads vanish, those in body axes and those in world axes: of a tensor
-/// in principal axes `J w' + w x J w` may not tell.
+/// Whether the moments of all loads vanish, separately in body axes and in world axes: for a tensor
+/// in principal axes `J w' + w x J w` may not show it.
 fn has_no_moment(model: &Model, work: &mut Workspace) -> bool {
     if model.motion.is_hinged() || model.state.axis.is_some() {
         return false;
@@ -154,8 +154,8 @@ fn keeps_spin(work: &mut Workspace, angular: &Components, axes: &Space) -> bool 
     !along.is_empty() && all_vanish(work, &along)
 }
 
-/// Whether a motion that is in the plane through the world's origin across this axis, the same axis
-/// of the body along it, has no acceleration out of the plane.
+/// Whether a motion in the plane through the world's origin perpendicular to this axis, with the
+/// same body axis along it, has no acceleration out of the plane.
 fn stays_in_plane(
     model: &Model,
     work: &mut Workspace,

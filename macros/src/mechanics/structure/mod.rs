@@ -1,4 +1,4 @@
-//! What integrators can make use of: symmetries, and what the accelerations depend on.
+//! Properties for integrators: symmetries, and dependencies of the accelerations.
 
 mod claims;
 mod symmetry;

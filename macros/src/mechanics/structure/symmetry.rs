@@ -1,16 +1,16 @@
-//! Turns of the world, and of the axes of a body, that leave an acceleration as it is.
+//! Rotations of the world, and of the axes of a body, that leave an acceleration unchanged.
 //!
-//! Turning by a small angle about e changes a state along
+//! A rotation by a small angle about e changes a state along
 //!
 //! ```text
 //! the world    x' = e x x    v' = e x v    q' = (0, e) q / 2
 //! the body     w' = e x w    q' = -q (0, e) / 2
 //! ```
 //!
-//! and an acceleration is symmetric about e if it changes as the axes do in which it is written.
-//! That is linear in e: directions that the changes at some random states leave, and those at one
-//! more random state leave again, on every branch, are left in all states. Nothing of this is
-//! emitted but the answer.
+//! and an acceleration is symmetric about e if it changes like the axes in which it is written.
+//! This condition is linear in e. Directions that satisfy it at some random states, and again
+//! at one more random state, on every branch, satisfy it in all states. Only the answer is
+//! emitted.
 
 use crate::mechanics::balances::inertia_about_center;
 use crate::mechanics::proofs::RandomState;
@@ -21,7 +21,8 @@ use crate::symbolic::{
     on_branches,
 };
 
-/// Directions about which a turn changes nothing; a group of turns has no other sets of them.
+/// Directions about which a rotation changes nothing; groups of rotations have no other sets of
+/// them.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Symmetry {
     None,
@@ -43,7 +44,7 @@ impl Space<Residue> {
         }
     }
 
-    /// Leaves the directions that are perpendicular to `normal`.
+    /// Keeps the directions that are perpendicular to `normal`.
     fn cut(&mut self, normal: &[Residue; 3]) {
         let dot = |vector: &[Residue; 3]| {
             vector[0] * normal[0] + vector[1] * normal[1] + vector[2] * normal[2]
@@ -102,7 +103,7 @@ impl Space {
         }
     }
 
-    /// The unit vector along the only direction, its first component that is not zero positive.
+    /// The unit vector along the only direction, with its first nonzero component positive.
     pub fn axis(&self) -> Option<[Number; 3]> {
         match self.basis.as_slice() {
             [direction] => unit(direction),
@@ -124,8 +125,8 @@ fn unit(direction: &[Number; 3]) -> Option<[Number; 3]> {
     Some([x?, y?, z?])
 }
 
-/// The directions about which the world, and the axes of the body, may be turned: of the linear
-/// acceleration, and of the angular one.
+/// The directions about which the world, and the axes of the body, may be rotated: for the linear
+/// acceleration, and for the angular one.
 pub fn symmetries(
     model: &Model,
     work: &mut Workspace,
@@ -175,9 +176,9 @@ fn axis_of_tensor(model: &Model, work: &mut Workspace) -> Option<[Number; 3]> {
     }
 }
 
-/// What decides between branches, the arguments of functions that are made of pieces, and what is
-/// divided by, of a tangent too: where these stay as they are, nothing jumps. Without them what has
-/// no slope would be taken for what does not change: `atan(tan x) - x`, `x / |x|`.
+/// The conditions of branches, the arguments of piecewise functions, and divisors, also of a
+/// tangent: if these are unchanged, nothing jumps. Without them, expressions without a slope would
+/// count as unchanged: `atan(tan x) - x`, `x / |x|`.
 fn guards(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
     let mut guards = Vec::new();
     for id in graph.reachable(roots, |_| true) {
@@ -198,30 +199,30 @@ fn guards(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
     guards
 }
 
-/// The components of a vector, and what decides between its branches, without them.
+/// The components of a vector, and the conditions of its branches.
 fn roots(graph: &mut Graph, vector: &Components) -> Vec<Id> {
     let guards = guards(graph, vector);
     vector.iter().copied().chain(guards).collect()
 }
 
-/// Whether turns about the three axes change a vector, and what decides between its branches.
+/// Whether rotations about the three axes change a vector and the conditions of its branches.
 struct Case<'a> {
     work: &'a Workspace,
     /// The vector first.
     roots: &'a [Id],
     turns: &'a [Direction; 3],
-    /// Whether they turn the axes in which the vector is written.
+    /// Whether they rotate the axes in which the vector is written.
     is_turned: bool,
-    /// Those about which there may be turns.
+    /// The possible directions.
     axes: &'a [usize],
     /// An axis that may be one of them.
     known: &'a Option<[Number; 3]>,
 }
 
 impl Case<'_> {
-    /// What the changes at some random states leave, and those at another one leave whole: axes
-    /// that do not depend on the state. Of axes whose directions are long numbers nothing is
-    /// claimed.
+    /// The directions that satisfy the conditions at some random states, and all again at another
+    /// one: axes that do not depend on the state. For axes whose directions are long numbers
+    /// nothing is claimed.
     fn space(&self) -> Space {
         let none = Space { basis: Vec::new() };
         if self.axes.is_empty() {
@@ -242,7 +243,7 @@ impl Case<'_> {
                 for normal in changes {
                     match normal {
                         [Some(x), Some(y), Some(z)] => space.cut(&[x, y, z]),
-                        // what has no value is not known to be symmetric
+                        // an expression without a value is not known to be symmetric
                         _ => return none,
                     }
                 }
@@ -257,7 +258,7 @@ impl Case<'_> {
             .unwrap_or(none)
     }
 
-    /// What of each root changes but does not turn, for each axis.
+    /// The change of each root minus its rotation, for each axis.
     fn changes(
         &self,
         tape: &Tape<'_>,
@@ -275,7 +276,7 @@ impl Case<'_> {
         };
         let mut changes: Vec<[Option<Residue>; 3]> = self.roots.iter().map(change).collect();
         if self.is_turned {
-            // less e x a
+            // minus e x a
             for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
                 let part = |i: usize| tape.of(&values, self.roots[i]);
                 changes[j][i] = residues.add(&changes[j][i], part(k));

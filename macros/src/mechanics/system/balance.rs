@@ -1,5 +1,5 @@
-//! The balances of each body of a system as they are written: given loads, those of its joints, and
-//! what its motion takes.
+//! The balances of each body of a system: given loads, those of its joints, and
+//! those of its motion.
 
 use proc_macro2::Ident;
 
@@ -12,7 +12,8 @@ use crate::symbolic::{Components, Id, Stage};
 use super::equations::SystemEquations;
 use super::loads::by_link;
 
-/// The balances of all bodies, each after its carrier; `holding` are the joints whose loads are given.
+/// The balances of all bodies, each after its carrier; `holding` are the joints whose loads are
+/// given.
 pub fn derive_system_balances(
     system: &System,
     work: &mut Workspace,
@@ -62,7 +63,7 @@ fn summed(work: &mut Workspace, whole: [Vector; 2], part: [Vector; 2]) -> [Vecto
     [work.add(whole[0], part[0]), work.add(whole[1], part[1])]
 }
 
-/// What joints do to a body, moment about its G.
+/// The loads of joints on a body, moment about its G.
 fn of_joints(
     system: &System,
     work: &mut Workspace,
@@ -73,7 +74,7 @@ fn of_joints(
     let at_body = |joint: &Between<'_>| joint.carried == number || joint.carrier == Some(number);
     let loads = carried.iter().filter(|(joint, _)| at_body(joint));
     let loads = loads.map(|(joint, [force, moment])| {
-        // where the joint holds what it carries
+        // the point at which the joint holds the carried body
         let other = &system.bodies[joint.carried];
         let pin = work.vector(other.state.body, joint.pin);
         let place = work.add(other.state.position, pin);
@@ -90,7 +91,7 @@ fn of_joints(
     loads.collect()
 }
 
-/// What written constraints do to a body, moment about its G.
+/// The loads of written constraints on a body, moment about its G.
 fn of_constraints(
     system: &System,
     work: &mut Workspace,
@@ -106,7 +107,7 @@ fn of_constraints(
     loads.collect()
 }
 
-/// Which bodies a joint is between, and where it is on the one that it carries.
+/// The bodies of a joint, and its place on the carried one.
 struct Between<'a> {
     name: &'a Ident,
     carrier: Option<usize>,
@@ -114,7 +115,7 @@ struct Between<'a> {
     pin: Components,
 }
 
-/// Force and moment of each joint on what it carries, as they are given, world axes.
+/// The given force and moment of each joint on the carried body, world axes.
 fn joint_loads<'a>(
     system: &'a System,
     work: &mut Workspace,
@@ -152,8 +153,8 @@ fn joint_loads<'a>(
     loads.collect()
 }
 
-/// What each written constraint does to each body, at the point that its joint holds, as its load is
-/// given.
+/// The load of each written constraint on each body, at the point that its joint holds, from the
+/// given load.
 fn loads_of_constraints(system: &System, work: &mut Workspace) -> Vec<Vec<[Vector; 2]>> {
     let Some(form) = &system.constraints.form else {
         return Vec::new();
@@ -174,7 +175,7 @@ fn loads_of_constraints(system: &System, work: &mut Workspace) -> Vec<Vec<[Vecto
     units.collect()
 }
 
-/// `m a_G` and `J w' + w x J w`: what its motion takes.
+/// `m a_G` and `J w' + w x J w`: the loads of its motion.
 fn taken(
     system: &System,
     work: &mut Workspace,

@@ -1,5 +1,5 @@
-//! How far a state is from what is kept, and the way back: along the slopes of the constraints,
-//! in the metric of what each freedom has of the kinetic energy alone.
+//! The distance of a state from its constraints, and the correction along their slopes,
+//! in the metric of the kinetic energy of each coordinate alone.
 
 use crate::mechanics::tree::link::Link;
 use crate::mechanics::unknowns::{Consistency, Reach, summed_size};
@@ -9,7 +9,8 @@ use crate::symbolic::{Function, Graph, Id};
 use super::equations::SystemEquations;
 use super::rates::order;
 
-/// The constraints as the runtime is told of them, each with what it may be in a state of this size.
+/// The constraints as the runtime is told of them, each with what it may be in a state of this
+/// size.
 pub fn derive_system_consistency(
     system: &System,
     work: &mut Workspace,
@@ -75,8 +76,8 @@ pub fn derive_system_consistency(
     rows.collect()
 }
 
-/// What a value may be in a state of this size: where an angle or a rate alone is kept at zero, its terms do
-/// not tell.
+/// What a value may be in a state of this size: where an angle or a rate alone is kept at zero, its
+/// terms do not tell.
 fn reached(graph: &mut Graph, value: Id, coupling: Id, of_state: Id) -> Id {
     let size = summed_size(graph, value);
     let square = graph.multiply(coupling, of_state);
@@ -84,8 +85,8 @@ fn reached(graph: &mut Graph, value: Id, coupling: Id, of_state: Id) -> Id {
     graph.apply(Function::Max, &[size, across])
 }
 
-/// The same as twice the kinetic energy, with an angle of one in the place of the rate of each freedom
-/// that turns, and nothing for those that slide.
+/// The same as twice the kinetic energy, with an angle of one in the place of the rate of each
+/// freedom that turns, and nothing for those that slide.
 fn turn(work: &mut Workspace, equations: &SystemEquations, inertias: &[Id]) -> Id {
     let freedoms = equations.built.tree.links.iter().flat_map(Link::open);
     let turning = freedoms

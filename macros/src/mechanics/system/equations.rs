@@ -1,4 +1,4 @@
-//! The equations of motion of a system, and what is told of it.
+//! The equations of motion of a system, and its report.
 
 use std::mem::take;
 
@@ -24,10 +24,10 @@ pub struct SystemEquations {
     pub switches: Vec<Switch>,
     pub partial: Vec<Partial>,
     left_out: Vec<String>,
-    /// With other origins and axes, and without what joints cannot tell.
+    /// With other origins and axes, and without the parts that joints do not distinguish.
     pub(super) reduced: Tree,
     pub(super) built: Built,
-    /// What is kept, if it is no tree that moves freely.
+    /// Its constraints, if it is not a tree that moves freely.
     pub(super) closed: Option<Closed>,
 }
 
@@ -95,7 +95,7 @@ impl SystemEquations {
         closed.map_or(&self.built.tree, |closed| &closed.loaded)
     }
 
-    /// The symbols of accelerations, and of what keeps constraints, and what is found for them.
+    /// The symbols of accelerations, and of constraint loads, with their solutions.
     pub fn solved(&self, system: &System) -> Vec<(Id, Id)> {
         let joints = system.joints.iter().zip(&self.accelerations);
         let accelerations = joints.flat_map(|(joint, found)| {
@@ -107,7 +107,7 @@ impl SystemEquations {
         accelerations.chain(kept).collect()
     }
 
-    /// What is found for the symbols that loads follow.
+    /// The solutions for the symbols on which loads depend.
     pub fn values(&self) -> Vec<(Id, Id)> {
         let closed = self.closed.as_ref();
         closed.map_or(Vec::new(), Closed::settled)
@@ -119,7 +119,7 @@ impl SystemEquations {
         closed.map_or(&[], |closed| &closed.loads)
     }
 
-    /// Reports joints that depend on each other, written constraints that say nothing, or nothing new,
+    /// Reports joints that depend on each other, written constraints that are trivial or redundant,
     /// and loads that leave no inertia.
     pub fn check(&self, system: &System, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
         let Some(closed) = &self.closed else {
@@ -141,7 +141,7 @@ impl SystemEquations {
     }
 }
 
-/// How the state changes with the rates of the open freedoms.
+/// The change of the state with the rates of the open coordinates.
 fn coordinates(system: &System, work: &mut Workspace, built: &Built) -> Coordinates {
     let freedoms = built.tree.links.iter().flat_map(Link::open);
     let mut by_freedom = vec![work.graph.zero(); freedoms.count()];
@@ -155,14 +155,14 @@ fn coordinates(system: &System, work: &mut Workspace, built: &Built) -> Coordina
     }
 }
 
-/// Whether any load or drive follows an acceleration.
+/// Whether any load or drive depends on an acceleration.
 fn follows(system: &System, work: &Workspace) -> bool {
     let loads = loads(system, work).into_iter();
     let parts: Vec<Id> = loads.flat_map(|(_, parts)| parts).collect();
     !work.accelerations_in(&parts).is_empty()
 }
 
-/// All loads, drives and rates of one's own by name, with their components.
+/// All loads, drives and rates of user-defined states by name, with their components.
 pub fn loads(system: &System, work: &Workspace) -> Vec<(String, Vec<Id>)> {
     let loads = system.bodies.iter().flat_map(|body| &body.loads);
     let loads = loads.map(|load| parts(load, work));
@@ -181,7 +181,7 @@ fn described(tie: &Tie) -> String {
     format!("`{}`: between {} and {}", tie.name, ends[0], ends[1])
 }
 
-/// The bodies and joints of a system, and what does not appear in its equations.
+/// The bodies and joints of a system, and the terms that do not appear in its equations.
 pub fn describe_system(system: &System, work: &Workspace, equations: &SystemEquations) -> Report {
     let name = |body: usize| format!("`{}`", system.bodies[body].name);
     let joints = system.joints.iter().map(|joint| {

@@ -1,4 +1,4 @@
-//! Joints with bodies without mass between them, which have to move what has mass in independent
+//! Joints with massless bodies between them, which must move a body with mass in independent
 //! ways.
 
 use crate::errors::Errors;

@@ -1,4 +1,4 @@
-//! Jacobians of points: how their velocities follow from the rates of the joints.
+//! Jacobians of points: their velocities by the rates of the joints.
 
 use crate::model::{Frame, System, Workspace};
 use crate::symbolic::{Components, Id};
@@ -9,7 +9,7 @@ use super::rates::rates;
 /// go with it, world axes.
 pub type Jacobian = Vec<[Components; 2]>;
 
-/// Those of the points that are asked for; rates in the order in which the state has them.
+/// Those of the requested points; rates in the order of the state.
 pub fn derive_jacobians(system: &System, work: &mut Workspace) -> Vec<Jacobian> {
     let by: Vec<Id> = rates(system);
     let points = system.points.iter().map(|(body, offset)| {

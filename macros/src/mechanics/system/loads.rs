@@ -1,4 +1,4 @@
-//! What joints carry, and the drives that make them move as is given.
+//! The loads of joints, and the drives that produce given accelerations.
 
 use std::iter::once;
 
@@ -13,8 +13,8 @@ use crate::symbolic::{Components, Id, Undetermined};
 use super::closed::{Closed, Spare, component, moved_in_world, release, solve_drives};
 use super::equations::SystemEquations;
 
-/// The open drives, in the order of the joints, that make these accelerate as is given. One that
-/// others can stand in for is an error at its name.
+/// The open drives, in the order of the joints, that produce the given accelerations. A drive that
+/// others can replace is an error at its name.
 pub fn derive_system_inverse(
     system: &System,
     work: &mut Workspace,
@@ -42,7 +42,7 @@ pub fn derive_system_inverse(
     results.map(|one| work.graph.result(one)).collect()
 }
 
-/// Reports drives that others can stand in for. The unknown that is left open may be the load of a
+/// Reports drives that others can replace. The undetermined unknown may be the load of a
 /// constraint: then the drives that change with it are not determined.
 fn report_undetermined(names: &[&Ident], unknowns: &[Undetermined], errors: &mut Errors) {
     let mut reported = Vec::new();
@@ -91,8 +91,8 @@ fn report_undriven(system: &System, closed: &Closed, spare: &[(usize, Id)], erro
     }
 }
 
-/// The load along each freedom that is not prescribed, joint by joint, that makes it accelerate as is
-/// given, less what is known to act there.
+/// The load along each freedom that is not prescribed, joint by joint, that makes it accelerate as
+/// is given, less what is known to act there.
 fn needed(system: &System, work: &mut Workspace, equations: &SystemEquations) -> Vec<Id> {
     let tree = moved_in_world(work, &equations.reduced);
     let given: Vec<Vec<Id>> = system.joints.iter().map(TreeJoint::accelerations).collect();
@@ -138,8 +138,8 @@ pub fn by_link(
     by_link
 }
 
-/// Force and moment of each joint on the body that it carries, at its point there, world axes, drives
-/// included; by name, those that close loops too.
+/// Force and moment of each joint on the body that it carries, at its point there, world axes,
+/// drives included; by name, those that close loops too.
 pub fn derive_system_reactions(
     system: &System,
     work: &mut Workspace,
@@ -159,8 +159,8 @@ pub fn derive_system_reactions(
     named(system, &joints, &closed)
 }
 
-/// The symbols of what joints carry, as checks ask for it, and what they do; no value where the balances
-/// leave it open.
+/// The symbols of what joints carry, as checks ask for it, and what they do; no value where the
+/// balances leave it open.
 pub fn derive_system_held(
     system: &System,
     work: &mut Workspace,
@@ -183,8 +183,8 @@ pub fn derive_system_held(
     known.collect()
 }
 
-/// What the balances leave open: the name of the joint, link or constraint, and which part of its load,
-/// in order.
+/// What the balances leave open: the name of the joint, link or constraint, and which part of its
+/// load, in order.
 pub fn derive_system_open(
     system: &System,
     work: &Workspace,
@@ -219,7 +219,7 @@ pub fn derive_system_open(
     open
 }
 
-/// What would determine all loads, in words.
+/// Changes that would make all loads determined, in words.
 pub fn derive_system_release(
     system: &System,
     work: &mut Workspace,
@@ -247,8 +247,8 @@ fn named(
     all.map(|(name, wrench)| (name.clone(), *wrench)).collect()
 }
 
-/// The loads along the freedoms whose motion is prescribed, joint by joint, less what else is known to
-/// act there: the drives that make it so.
+/// The loads along the freedoms whose motion is prescribed, joint by joint, less what else is known
+/// to act there: the drives that make it so.
 pub fn derive_system_driving(work: &mut Workspace, equations: &SystemEquations) -> Vec<Vec<Id>> {
     let tree = equations.loaded();
     let loads = loads(work, equations, tree, &equations.accelerations);

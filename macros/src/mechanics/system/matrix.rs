@@ -1,4 +1,4 @@
-//! The mass matrix of a system, and what drives its freedoms.
+//! The mass matrix of a system, and its generalized forces.
 
 use crate::mechanics::tree::MassMatrix;
 use crate::model::{System, Workspace};
@@ -9,15 +9,15 @@ use super::constraints::replace;
 use super::equations::SystemEquations;
 use super::rates::order;
 
-/// `M q'' = f`, in the order in which the state has its rates; of what is kept beside the joints of the
-/// tree, the loads that keep it come on top.
+/// `M q'' = f`, in the order of the rates in the state; constraint loads outside the
+/// tree are not included.
 pub struct Inertias {
     pub rows: Vec<Vec<Id>>,
-    /// What drives each freedom, less what its motion takes without acceleration.
+    /// The drive of each coordinate, minus the load of the motion without acceleration.
     pub driving: Vec<Id>,
 }
 
-/// The mass matrix, and what it is multiplied with the accelerations for.
+/// The mass matrix, and the generalized forces.
 pub fn derive_inertias(
     system: &System,
     work: &mut Workspace,

@@ -1,4 +1,4 @@
-//! The equations of a system, and what else is asked of it, from its tree of bodies.
+//! The equations of a system, and its other outputs, from its tree of bodies.
 
 mod balance;
 mod closed;

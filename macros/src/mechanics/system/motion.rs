@@ -1,4 +1,4 @@
-//! How the state of a system changes as it moves.
+//! The change of the state of a system in motion.
 
 use std::collections::BTreeMap;
 
@@ -16,7 +16,7 @@ pub fn motion(system: &System, work: &mut Workspace) -> Direction {
     let mut turns = BTreeMap::new();
     for joint in &system.joints {
         let rates = |variable: Variable, part: usize| joint.coordinates.get(variable, part);
-        // what is prescribed follows the time
+        // prescribed coordinates are functions of time
         if !joint.is_driven() {
             changes.extend(places(work, joint, rates));
         }

@@ -1,4 +1,5 @@
-//! Inertia of a link with all that it carries, whose joints give way.
+//! The articulated-body inertia of a link: with everything that it carries, while the joints are
+//! free.
 
 use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
@@ -18,20 +19,20 @@ pub struct Articulated {
     pub linear: Rows,
 }
 
-/// What is left of a freedom when it is eliminated: `q'' = drive - share . a`, for an acceleration a of
-/// the link without it.
+/// The result of eliminating a joint coordinate: `q'' = drive - share . a`, for an acceleration a
+/// of the link without it.
 pub struct Eliminated {
     pub twist: Pair,
     pub drive: Id,
     pub share: Pair,
-    /// Of the inertia along it.
+    /// The inverse of the inertia along it.
     inverse: Id,
-    /// The drive, less what the motion takes without it.
+    /// The drive, minus the load of the motion without it.
     driving: Id,
 }
 
 impl Eliminated {
-    /// Names of what is left.
+    /// Names of the results.
     pub fn name(&self, labels: &mut Labels, of: &str) {
         labels.name(self.inverse, format!("inverse_inertia_{of}"));
         labels.name(self.driving, format!("driving_{of}"));
@@ -72,7 +73,7 @@ impl Articulated {
         labels.matrix(&format!("mass_{of}"), &self.linear);
     }
 
-    /// Each entry a line of its own.
+    /// Makes each entry a separate line.
     pub fn quantities(&self, graph: &mut Graph) -> Self {
         let each = |graph: &mut Graph, rows: &Rows| rows.map(|row| graph.quantities(row));
         Self {
@@ -95,7 +96,7 @@ impl Articulated {
         }
     }
 
-    /// Lets the link give way along a freedom; what is lacking for its motion changes with it.
+    /// Frees a coordinate of the link; the missing load for its motion changes accordingly.
     pub fn eliminate(
         &mut self,
         graph: &mut Graph,
@@ -103,7 +104,7 @@ impl Articulated {
         lacking: &mut Pair,
     ) -> Eliminated {
         let (twist, drive) = (freedom.twist, freedom.drive);
-        // with an armature something of the inertia along it is left
+        // with an armature a part of the inertia along it remains
         let axis = twist.axis(graph);
         let axis = axis.filter(|_| graph.is_zero(freedom.armature));
         let of_rate = self.times(graph, &twist).quantities(graph);
@@ -151,7 +152,7 @@ impl Articulated {
         }
     }
 
-    /// Both halves of what is symmetric are the same expressions.
+    /// Both halves of a symmetric matrix are the same expressions.
     fn mirror(&mut self) {
         for rows in [&mut self.angular, &mut self.linear] {
             let upper = *rows;
@@ -163,7 +164,7 @@ impl Articulated {
         }
     }
 
-    /// Along a freedom there is no inertia left, and the load is the drive.
+    /// Along a freed coordinate there is no inertia left, and the load is the drive.
     fn give_way(&mut self, graph: &Graph, along: Along, drive: Pair, lacking: &mut Pair) {
         let zero = graph.zero();
         match along {

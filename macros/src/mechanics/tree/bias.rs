@@ -1,4 +1,4 @@
-//! The bias: how links move and what that takes, if no joint accelerates.
+//! The bias: the motion of the links with zero joint accelerations, and its loads.
 
 use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
@@ -12,9 +12,9 @@ use super::properties::Properties;
 pub struct Moving {
     /// Angular velocity.
     pub w: Components,
-    /// Angular acceleration, and acceleration of the origin less that of free fall.
+    /// Angular acceleration, and acceleration of the origin minus that of free fall.
     pub acceleration: Pair,
-    /// `[w']x + w w - w^2 1`: what an offset adds to the acceleration.
+    /// `[w']x + w w - w^2 1`: the contribution of an offset to the acceleration.
     pub sweep: [Components; 3],
 }
 
@@ -38,7 +38,7 @@ impl Moving {
         }
     }
 
-    /// The motion of a link on a carrier that moves so.
+    /// The motion of a link on a carrier with this motion.
     pub fn carried(&self, graph: &mut Graph, link: &Link) -> Self {
         let zeros = graph.zeros();
         let sum = |graph: &mut Graph, part: fn(&Pair) -> Components| {
@@ -81,7 +81,7 @@ impl Moving {
         Self::new(graph, w, Pair { angular, linear })
     }
 
-    /// The same when the freedoms of the link accelerate; of one that is free these are what they are,
+    /// The same if the coordinates of the link accelerate; for a free link they are given
     /// along world axes first.
     pub fn accelerated(&self, graph: &mut Graph, tree: &Tree, link: &Link, rates: &[Id]) -> Self {
         let mut acceleration = self.acceleration;
@@ -90,7 +90,7 @@ impl Moving {
             acceleration = acceleration.plus(graph, made);
         }
         if link.is_free {
-            // what the twists made of the linear ones is along world axes
+            // the linear part of the twists is along world axes
             let fall = graph.subtract_vectors(acceleration.linear, tree.gravity);
             acceleration.linear = link.turning.to_link(graph, fall);
         }
@@ -98,7 +98,7 @@ impl Moving {
         Self::new(graph, self.w, acceleration)
     }
 
-    /// The moment and the force that this motion takes, about the origin: linear in mass, first moment
+    /// The moment and the force of this motion, about the origin: linear in mass, first moment
     /// and inertia.
     pub fn taken_by(&self, graph: &mut Graph, properties: &Properties) -> Pair {
         let (h, rows, a) = (
@@ -118,7 +118,7 @@ impl Moving {
         }
     }
 
-    /// `J w' + w x J w`, by the products of w that are in the sweep.
+    /// `J w' + w x J w`, by the products of w in the sweep.
     fn moment(&self, graph: &mut Graph, rows: &[Components; 3]) -> Components {
         let (s, w) = (&self.sweep, self.w);
         [0, 1, 2].map(|i| {
@@ -162,8 +162,8 @@ fn sweep(graph: &mut Graph, w: Components, alpha: Components) -> [Components; 3]
     rows
 }
 
-/// The motion of all links without accelerations of joints, and the moment and force about the
-/// origin of each that are lacking for it.
+/// The motion of all links without accelerations of joints, and the missing moment and force about
+/// the origin of each.
 pub fn derive_bias(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Vec<(Moving, Pair)> {
     let ground = Moving::ground(graph, tree.gravity);
     let mut all: Vec<(Moving, Pair)> = Vec::new();

@@ -9,7 +9,7 @@ use super::pair::Pair;
 use super::properties::Properties;
 use super::turning::Turning;
 
-/// A tree, and which of its links are those of each joint: the last one is the body.
+/// A tree, and the links of each joint: the last one is the body.
 pub struct Built {
     pub tree: Tree,
     pub links: Vec<core::ops::Range<usize>>,
@@ -124,7 +124,7 @@ impl Making<'_> {
         }
     }
 
-    /// All turns at zero coordinates, as one.
+    /// All rotations at zero coordinates, as one.
     fn turned(&mut self) -> Option<Turning> {
         let graph = &mut self.work.graph;
         let turns = self.joint.turned.iter().map(|(axis, angle)| {
@@ -212,7 +212,7 @@ impl Making<'_> {
         self.links[index].is_free = true;
     }
 
-    /// A link that turns about a direction.
+    /// A link that rotates about a direction.
     fn hinge(&mut self, direction: Components, twist: Pair, coordinate: usize, number: usize) {
         let angle = self.get(Variable::Angle, coordinate);
         let rate = self.get(Variable::AngularVelocity, coordinate);
@@ -229,7 +229,7 @@ impl Making<'_> {
         self.links[index].angle = about;
     }
 
-    /// The freedom of this number of the joint.
+    /// The joint coordinate with this index.
     fn freedom(&self, twist: Pair, rate: Id, number: usize) -> Freedom {
         Freedom {
             twist,
@@ -244,7 +244,7 @@ impl Making<'_> {
         }
     }
 
-    /// Adds a link without mass, and goes on from it.
+    /// Adds a massless link, and continues from it.
     fn link(&mut self, turning: Turning, freedoms: Vec<Freedom>) -> usize {
         let graph = &self.work.graph;
         let zeros = graph.zeros();

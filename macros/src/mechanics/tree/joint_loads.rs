@@ -1,4 +1,5 @@
-//! What joints transmit, by the balances of all that they carry: reactions and inverse dynamics.
+//! The loads of joints, by the balances of everything that they carry: reactions and inverse
+//! dynamics.
 
 use crate::symbolic::{Graph, Id};
 
@@ -7,7 +8,7 @@ use super::bias::Moving;
 use super::link::{Freedom, Link, Tree};
 use super::pair::{Along, Pair};
 
-/// The motions of all links, when the freedoms accelerate so, link by link.
+/// The motions of all links, for these accelerations of the coordinates, link by link.
 pub fn motions(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<Moving> {
     let ground = Moving::ground(graph, tree.gravity);
     let mut motions: Vec<Moving> = Vec::new();
@@ -19,13 +20,13 @@ pub fn motions(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec
     motions
 }
 
-/// The force and the moment of each joint on what it carries, about the origin of the link, in its
-/// axes, when the freedoms accelerate as they do: along them they are the drives.
+/// The force and the moment of each joint on the carried body, about the origin of the link, in its
+/// axes, in the actual motion: along the coordinates they are the drives.
 pub fn joint_loads(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<Pair> {
     loads(graph, tree, accelerations, driven)
 }
 
-/// The same as the balances have it, when the freedoms accelerate as is given.
+/// The same in terms of the balances, for given accelerations.
 fn loads(
     graph: &mut Graph,
     tree: &Tree,
@@ -50,7 +51,7 @@ fn loads(
     loads
 }
 
-/// A load whose components along open freedoms are what drives these.
+/// A load whose components along open coordinates are their drives.
 fn driven(graph: &mut Graph, link: &Link, accelerations: &[Id], mut load: Pair) -> Pair {
     if link.is_free {
         return load;
@@ -68,7 +69,7 @@ fn driven(graph: &mut Graph, link: &Link, accelerations: &[Id], mut load: Pair) 
     load
 }
 
-/// What lacks along the open freedoms, of what drives them, when they accelerate so.
+/// The missing load along the open coordinates, for these accelerations.
 pub fn lacking(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<Id> {
     let loads = loads(graph, tree, accelerations, |_, _, _, load| load);
     let links = tree.links.iter().zip(loads).zip(accelerations);
@@ -80,7 +81,7 @@ pub fn lacking(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec
     all.collect()
 }
 
-/// What lacks along a freedom whose joint carries a load, for this acceleration of its coordinate.
+/// The missing load along a coordinate whose joint carries a load, for this acceleration of it.
 pub fn lacks(graph: &mut Graph, freedom: &Freedom, load: Pair, acceleration: Id) -> Id {
     let carried = freedom.twist.dot(graph, load);
     let own = graph.multiply(freedom.armature, acceleration);
@@ -88,7 +89,7 @@ pub fn lacks(graph: &mut Graph, freedom: &Freedom, load: Pair, acceleration: Id)
     graph.subtract(needed, freedom.drive)
 }
 
-/// What a load on a link puts on each open freedom, link by link.
+/// The contribution of a load on a link to each open coordinate, link by link.
 pub fn along_freedoms(graph: &mut Graph, tree: &Tree, link: usize, load: Pair) -> Vec<Id> {
     let mut loads: Vec<Option<Pair>> = vec![None; tree.links.len()];
     loads[link] = Some(load);

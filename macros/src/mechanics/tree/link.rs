@@ -1,4 +1,4 @@
-//! What a tree is made of.
+//! The elements of a tree.
 
 use crate::symbolic::{Components, Graph, Id};
 
@@ -14,41 +14,41 @@ pub struct Tree {
     pub gravity: Components,
 }
 
-/// A body, and the joint that carries it. Joints of several axes have links without mass between.
+/// A body, and the joint that carries it. Joints of several axes have massless links between.
 #[derive(Clone, PartialEq)]
 pub struct Link {
-    /// For the names of what is computed for it.
+    /// For the names of its quantities.
     pub name: String,
-    /// None: the ground.
+    /// None for the ground.
     pub carrier: Option<usize>,
     /// From the origin of the carrier to that of the link, in the carrier's axes.
     pub place: Components,
     /// From its axes to those of the carrier.
     pub turning: Turning,
-    /// Of a hinge that is turned about one of its axes.
+    /// For a hinge that is rotated about one of its axes.
     pub angle: Option<Id>,
     pub freedoms: Vec<Freedom>,
-    /// Its origin may go anywhere: its accelerations are found as they are, without the carrier's.
+    /// Its origin is arbitrary: its accelerations are absolute, independent of the carrier's.
     pub is_free: bool,
     pub properties: Properties,
-    /// Of the loads on it but gravity, about its origin, in its axes.
+    /// The loads on it except gravity, about its origin, in its axes.
     pub force: Components,
     pub moment: Components,
 }
 
-/// A way in which a joint lets its link move.
+/// A direction in which a joint lets its link move.
 #[derive(Clone, PartialEq)]
 pub struct Freedom {
     /// The motion of unit rate, in the axes of the link, about its origin.
     pub twist: Pair,
     /// The rate of its coordinate.
     pub rate: Id,
-    /// The inertia along it alone, as a rotor behind gears has it: it takes a load of its own to accelerate,
-    /// and nothing else.
+    /// The inertia along it alone, as of a geared rotor: it takes a separate load to accelerate,
+    /// and has no other effect.
     pub armature: Id,
     /// The load along it, which acts on the link, and on the carrier with the opposite sign.
     pub drive: Id,
-    /// Its acceleration, if it moves as is prescribed.
+    /// Its acceleration, if its motion is prescribed.
     pub given: Option<Id>,
     pub name: String,
 }
@@ -65,7 +65,7 @@ impl Tree {
         true
     }
 
-    /// Whether a link is held by its carrier, and has and carries nothing.
+    /// Whether a link is held by its carrier, and has and carries no mass.
     pub fn is_idle(&self, graph: &Graph, index: usize) -> bool {
         let link = &self.links[index];
         let is_zero = |vector: &Components| graph.is_zero_vector(vector);
@@ -79,12 +79,12 @@ impl Tree {
 }
 
 impl Link {
-    /// The freedoms that accelerate as they are driven.
+    /// The coordinates that accelerate freely.
     pub fn open(&self) -> impl Iterator<Item = &Freedom> + Clone {
         self.freedoms.iter().filter(|one| one.given.is_none())
     }
 
-    /// The loads on it but gravity.
+    /// The loads on it except gravity.
     pub fn load(&self) -> Pair {
         Pair {
             angular: self.moment,

@@ -1,5 +1,5 @@
-//! The mass matrix: from composite bodies, whose joints are held (Walker and Orin, Efficient
-//! Dynamic Computer Simulation of Robotic Mechanisms). Of few freedoms it is cheaper than the
+//! The mass matrix from composite bodies, whose joints are held (Walker and Orin, Efficient Dynamic
+//! Computer Simulation of Robotic Mechanisms). For few degrees of freedom it is cheaper than the
 //! recursion.
 
 use crate::model::Labels;
@@ -10,10 +10,10 @@ use super::bias::derive_bias;
 use super::link::{Link, Tree};
 use super::pair::Pair;
 
-/// `M q'' = drives - bias`, a row and a column for each freedom, link by link.
+/// `M q'' = drives - bias`, a row and a column for each coordinate, link by link.
 pub struct MassMatrix {
     pub rows: Vec<Vec<Id>>,
-    /// What drives each freedom, less what its motion takes without acceleration.
+    /// The drive of each coordinate, minus the load of the motion without acceleration.
     pub driving: Vec<Id>,
     names: Vec<String>,
 }
@@ -41,7 +41,7 @@ impl MassMatrix {
                 let row = first[index] + number;
                 let needed = freedom.twist.dot(graph, load);
                 driving[row] = graph.subtract(freedom.drive, needed);
-                // what turns about this freedom takes of the others that carry it
+                // the couplings of this coordinate with those that carry it
                 let mut wrench = own.times(graph, &freedom.twist).quantities(graph);
                 let mut at = index;
                 loop {
@@ -86,7 +86,7 @@ impl MassMatrix {
         }
     }
 
-    /// Solved from the last freedom to the first, `L^T D L`.
+    /// Solved from the last coordinate to the first, `L^T D L`.
     pub fn solve(&self, graph: &mut Graph, labels: &mut Labels) -> Vec<Id> {
         let (mut rows, mut driving) = (self.rows.clone(), self.driving.clone());
         let count = rows.len();
@@ -131,7 +131,7 @@ impl MassMatrix {
     }
 }
 
-/// The number of the first freedom of each link.
+/// The index of the first coordinate of each link.
 fn first_freedoms(links: &[Link]) -> Vec<usize> {
     let mut next = 0;
     let firsts = links.iter().map(|link| {

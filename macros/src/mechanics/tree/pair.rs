@@ -1,10 +1,10 @@
-//! An angular and a linear vector that belong together.
+//! Pairs of an angular and a linear vector.
 
 use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
-/// An angular and a linear vector about the origin of a link, in its axes: a twist, an acceleration,
-/// or a moment and a force.
+/// An angular and a linear vector about the origin of a link, in its axes: a twist, an
+/// acceleration, or a moment and a force.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Pair {
     pub angular: Components,
@@ -35,7 +35,7 @@ impl Pair {
         }
     }
 
-    /// The one axis that a twist is about or along, with unit rate.
+    /// The single axis that a twist is about or along, with unit rate.
     pub fn axis(&self, graph: &Graph) -> Option<Along> {
         let is_unit = |a: Id| graph.as_number(a).is_some_and(|a| a.abs().is_one());
         let only =

@@ -24,7 +24,7 @@ impl Properties {
         }
     }
 
-    /// Of a mass with its center at `c`, and the inertia about that.
+    /// For a mass with its center at `c`, and the inertia about that.
     pub fn of_body(graph: &mut Graph, mass: Id, c: Components, inertia: &Rows) -> Self {
         let first = graph.scale_vector(mass, c);
         Self {
@@ -34,7 +34,7 @@ impl Properties {
         }
     }
 
-    /// One of each of the ten numbers, and nothing else.
+    /// Unit values: each has one of the ten numbers equal to one.
     pub fn units(graph: &Graph) -> [Self; 10] {
         let (one, none) = (graph.one(), Self::none(graph));
         core::array::from_fn(|number| {
@@ -74,7 +74,8 @@ impl Properties {
         }
     }
 
-    /// About a point from which the origin is at `r`: `J + (2 r.h 1 - r h - h r) + m (r^2 1 - r r)`.
+    /// About a point from which the origin is at `r`: `J + (2 r.h 1 - r h - h r) + m (r^2 1 - r
+    /// r)`.
     pub fn seen_from(self, graph: &mut Graph, r: Components) -> Self {
         let mut inertia = crate::model::displaced(graph, self.mass, r, &self.inertia);
         let along = graph.dot(r, self.first);
@@ -101,7 +102,7 @@ impl Properties {
         }
     }
 
-    /// In axes that are turned.
+    /// In rotated axes.
     pub fn turned(&self, graph: &mut Graph, turning: Turning) -> Self {
         Self {
             mass: self.mass,

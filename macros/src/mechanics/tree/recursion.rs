@@ -11,19 +11,19 @@ use super::pair::Pair;
 use super::reductions::{drop_frames, merge_welds, reduced};
 use super::regrouping::left_out;
 
-/// The accelerations of the coordinates, link by link in the order of its freedoms; of a link that
-/// is free, those of its origin along world axes first.
+/// The accelerations of the coordinates, link by link in their order; for a free
+/// link, those of its origin along world axes first.
 pub struct Accelerations(Vec<Vec<Id>>);
 
-/// The accelerations of all joints, and what does not appear in them.
+/// The accelerations of all joints, and the terms that do not appear in them.
 pub struct Solved {
     pub accelerations: Vec<Vec<Id>>,
     pub left_out: Vec<String>,
-    /// The tree as it is written with the fewest operations.
+    /// The tree in the form with the fewest operations.
     pub reduced: Tree,
 }
 
-/// Solves for the accelerations of all joints, and names what they are made of.
+/// Solves for the accelerations of all joints, and names their parts.
 pub fn derive_tree(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Solved {
     let mut tree = tree.clone();
     drop_frames(graph, &mut tree);
@@ -43,7 +43,7 @@ fn cost(graph: &Graph, found: &Accelerations) -> u32 {
     graph.late_cost(&found.0.concat()).total()
 }
 
-/// By the recursion; of few freedoms by the mass matrix, if that is cheaper.
+/// By the recursion, or by the mass matrix if that is cheaper for few degrees of freedom.
 fn solve(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Accelerations {
     let mut names = labels.part();
     let mut best = recursion(graph, &mut names, tree).folded(graph, &mut names);
@@ -75,7 +75,7 @@ impl Accelerations {
     }
 }
 
-/// From the tips to the ground: inertias and loads, with each joint giving way.
+/// From the tips to the ground: inertias and loads, with each joint freed.
 fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Accelerations {
     let bias = derive_bias(graph, labels, tree);
     let mut inertia: Vec<Articulated> = Vec::new();
@@ -110,7 +110,7 @@ fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Acceleratio
     outwards(graph, labels, tree, &eliminated)
 }
 
-/// From the ground to the tips: the accelerations of the freedoms, by those of what carries them.
+/// From the ground to the tips: the accelerations of the coordinates, from those of the carriers.
 fn outwards(
     graph: &mut Graph,
     labels: &mut Labels,
@@ -152,7 +152,7 @@ fn outwards(
     Accelerations(all)
 }
 
-/// What the carrier's acceleration makes at the origin of the link, in its axes.
+/// The contribution of the carrier's acceleration at the origin of the link, in its axes.
 fn acceleration_at(graph: &mut Graph, link: &Link, carrier: Pair) -> Pair {
     let swept = graph.cross(carrier.angular, link.place);
     let linear = graph.add_vectors(carrier.linear, swept);

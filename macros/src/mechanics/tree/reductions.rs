@@ -1,5 +1,5 @@
-//! Choices that change how much is to be computed, and nothing else (R36): where the origin of a
-//! link is on the axis of its hinge, and whether a link is written in the axes of its carrier. Each
+//! Choices that change only the cost of the computation (R36): the place of the origin of a
+//! link on the axis of its hinge, and whether a link is written in the axes of its carrier. Each
 //! is tried, and kept if it is cheaper.
 
 use crate::symbolic::{Graph, Id};
@@ -10,21 +10,21 @@ use super::properties::Properties;
 use super::regrouping::{keep_axes, regroup};
 use super::turning::Turning;
 
-/// How many operations the trees that are tried have together: a stated limit, so that many bodies
+/// The limit of operations of all trees that are tried together, so that many bodies
 /// do not take long to expand, and the same description has the same expansion.
 const TRIED: u32 = 20_000;
-/// The same, where legs that are alike change alike: each of these changes is worth more.
+/// The same if equal legs change together: each of these changes is worth more.
 const TRIED_ALIKE: u32 = 45_000;
 
-/// How a tree is written.
+/// The form of a tree.
 #[derive(Clone)]
 struct Choice {
-    /// Where on the axis of its hinge the origin of each link is moved, by its number among those that
-    /// are tried.
+    /// The place on the axis of its hinge to which the origin of each link is moved, by its index
+    /// among those that are tried.
     slides: Vec<Option<usize>>,
-    /// Which links are written in the axes of their carriers.
+    /// The links that are written in the axes of their carriers.
     borrows: Vec<bool>,
-    /// Of which of two moments across the axis of each hinge nothing is left.
+    /// Which of the two moments across the axis of each hinge is eliminated.
     sides: Vec<usize>,
 }
 
@@ -49,7 +49,7 @@ impl Choice {
         tree
     }
 
-    /// It with another origin, of so many, other axes or another side, in links that change alike.
+    /// The form with another origin, of this many, other axes or another side, in equal links.
     fn changed(&self, links: &[usize], change: Change) -> Self {
         let mut changed = self.clone();
         for link in links {
@@ -63,7 +63,7 @@ impl Choice {
     }
 }
 
-/// What may be written otherwise in a link.
+/// A possible change of the form of a link.
 #[derive(Clone, Copy)]
 enum Change {
     Slide(Option<usize>),
@@ -76,7 +76,7 @@ struct Search<'a, C> {
     tree: &'a Tree,
     cost: C,
     choice: Choice,
-    /// Those that were tried, the best one and what it takes.
+    /// The forms that were tried, the best one and its cost.
     seen: Vec<Tree>,
     best: Tree,
     least: u32,
@@ -84,8 +84,8 @@ struct Search<'a, C> {
 }
 
 impl<C: Fn(&mut Graph, &Tree) -> u32> Search<'_, C> {
-    /// Changes one link after another, or several that are alike, as long as that helps, and until
-    /// so many operations are tried.
+    /// Changes one link after another, or several equal ones, as long as that helps, and until
+    /// this many operations are tried.
     fn descend(&mut self, graph: &mut Graph, alike: &[Vec<usize>], most: u32) {
         loop {
             let before = self.least;
@@ -120,8 +120,8 @@ impl<C: Fn(&mut Graph, &Tree) -> u32> Search<'_, C> {
     }
 }
 
-/// The tree as it is written with the fewest operations of those that are tried; `cost` is what the
-/// accelerations of a tree take.
+/// The tree in the form with the fewest operations of those that are tried; `cost` is the cost of
+/// the accelerations of a tree.
 pub fn reduced(graph: &mut Graph, tree: &Tree, cost: impl Fn(&mut Graph, &Tree) -> u32) -> Tree {
     let count = tree.links.len();
     let choice = Choice {
@@ -143,7 +143,7 @@ pub fn reduced(graph: &mut Graph, tree: &Tree, cost: impl Fn(&mut Graph, &Tree) 
     let hinges: Vec<usize> = (0..count)
         .filter(|index| hinge(graph, tree, *index).is_some())
         .collect();
-    // from the tips, so that what a link carries is known to turn about the same axis
+    // from the tips, so that everything a link carries is known to rotate about the same axis
     let mut alike = alike(graph, tree, &hinges);
     alike.reverse();
     if alike.len() < hinges.len() {
@@ -154,7 +154,8 @@ pub fn reduced(graph: &mut Graph, tree: &Tree, cost: impl Fn(&mut Graph, &Tree) 
     search.best
 }
 
-/// The hinges, together with those that are carried by hinges about the same axes, and carry as many.
+/// The hinges, grouped with those that are carried by hinges about the same axes, and carry as
+/// many.
 fn alike(graph: &Graph, tree: &Tree, hinges: &[usize]) -> Vec<Vec<usize>> {
     let described = |index: usize| {
         let mut axes = Vec::new();
@@ -181,7 +182,8 @@ fn alike(graph: &Graph, tree: &Tree, hinges: &[usize]) -> Vec<Vec<usize>> {
     groups.into_iter().map(|(_, links)| links).collect()
 }
 
-/// Writes a link in the axes of its carrier, if all that it carries turns about the same axis.
+/// Writes a link in the axes of its carrier, if everything that it carries rotates about the same
+/// axis.
 fn borrow_axes(graph: &mut Graph, tree: &mut Tree, index: usize) {
     let Some(axis) = hinge(graph, tree, index) else {
         return;
@@ -212,8 +214,8 @@ fn borrow_axes(graph: &mut Graph, tree: &mut Tree, index: usize) {
     }
 }
 
-/// Makes one link of each with all that is welded to it, from the tips to the ground; what was welded
-/// is left with nothing.
+/// Merges each link with all links welded to it, from the tips to the ground; welded links
+/// are left without mass.
 pub fn merge_welds(graph: &mut Graph, tree: &mut Tree) {
     for index in (0..tree.links.len()).rev() {
         let link = tree.links[index].clone();
@@ -238,7 +240,7 @@ pub fn merge_welds(graph: &mut Graph, tree: &mut Tree) {
     }
 }
 
-/// Writes what is carried by frames of right angles in the axes of their carriers.
+/// Writes links carried by frames at right angles in the axes of their carriers.
 pub fn drop_frames(graph: &mut Graph, tree: &mut Tree) {
     for index in 0..tree.links.len() {
         let link = &tree.links[index];
@@ -266,7 +268,7 @@ pub fn drop_frames(graph: &mut Graph, tree: &mut Tree) {
                 let before = graph.sum(&twist.angular);
                 twist.angular = turning.to_carrier(graph, twist.angular);
                 twist.linear = turning.to_carrier(graph, twist.linear);
-                // an axis may be turned into the opposite of one
+                // an axis may be rotated into the opposite of one
                 let after = graph.sum(&twist.angular);
                 if before != after {
                     link.angle = link.angle.map(|angle| graph.negate(angle));
@@ -293,7 +295,7 @@ pub fn drop_frames(graph: &mut Graph, tree: &mut Tree) {
     }
 }
 
-/// A link, and all that it carries.
+/// A link, and everything that it carries.
 fn carried_by(tree: &Tree, index: usize) -> Vec<usize> {
     let mut all = vec![index];
     for (other, link) in tree.links.iter().enumerate() {
@@ -315,8 +317,9 @@ fn hinge(graph: &Graph, tree: &Tree, index: usize) -> Option<usize> {
     }
 }
 
-/// How far an origin may be moved along the axis of its hinge: to where it is nearest to the origin of
-/// the carrier, to the center of mass, and to what is carried; none where that says nothing.
+/// The candidate displacements of an origin along the axis of its hinge: to the point nearest to
+/// the origin of the carrier, to the center of mass, and to the carried joints; none if there is no
+/// difference.
 fn distances(graph: &mut Graph, tree: &Tree, index: usize) -> Vec<Option<Id>> {
     let Some(axis) = hinge(graph, tree, index) else {
         return Vec::new();

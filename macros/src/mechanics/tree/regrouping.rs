@@ -1,4 +1,4 @@
-//! What of a link a joint cannot tell from a part of the carrier.
+//! Parts of a link that are equivalent to a part of the carrier, for its joint.
 
 use crate::symbolic::Graph;
 
@@ -8,8 +8,8 @@ use super::properties::Properties;
 use super::turning::Turning;
 
 impl Properties {
-    /// What of it moves as if it were fixed to the carrier, whatever the joint does: of a hinge a rod
-    /// along its axis, of a slide the inertia, of a ball joint a point mass at its center.
+    /// The part that moves as if it were fixed to the carrier, whatever the joint does: for a hinge
+    /// a rod along its axis, for a slide the inertia, for a ball joint a point mass at its center.
     fn fixed_part(&self, graph: &mut Graph, link: &Link, side: usize) -> Option<Self> {
         let mut part = Self::none(graph);
         match link.freedoms.as_slice() {
@@ -39,8 +39,8 @@ impl Properties {
     }
 }
 
-/// Moves to the carriers what their joints cannot tell from parts of them (R34). What is the
-/// ground's counts for nothing.
+/// Moves the parts of links that are equivalent to parts of their carriers to these (R34). Parts of
+/// the ground are dropped.
 pub fn regroup(graph: &mut Graph, tree: &mut Tree, sides: &[usize]) {
     for index in (0..tree.links.len()).rev() {
         let link = &tree.links[index];
@@ -53,7 +53,7 @@ pub fn regroup(graph: &mut Graph, tree: &mut Tree, sides: &[usize]) {
             continue;
         }
         let (place, turning, carrier) = (link.place, link.turning, link.carrier);
-        // what a hinge leaves is the same in both axes; what is welded is turned
+        // the part moved by a hinge is the same in both axes; a welded link is rotated
         let seen = if link.freedoms.is_empty() {
             part.turned(graph, turning)
         } else {
@@ -68,8 +68,8 @@ pub fn regroup(graph: &mut Graph, tree: &mut Tree, sides: &[usize]) {
     }
 }
 
-/// A link whose turning changes nothing keeps the axes of its carrier (R37): a symmetric rotor that
-/// carries nothing, and on which no load acts but its drive and gravity.
+/// A link whose rotation changes nothing keeps the axes of its carrier (R37): a symmetric rotor
+/// that carries nothing, and on which no load acts except its drive and gravity.
 pub fn keep_axes(graph: &Graph, tree: &mut Tree) {
     for index in 0..tree.links.len() {
         if turns_unseen(graph, tree, index) {
@@ -78,7 +78,7 @@ pub fn keep_axes(graph: &Graph, tree: &mut Tree) {
     }
 }
 
-/// What the equations leave out of each link, and why.
+/// The parts of each link that the equations leave out, and why.
 pub fn left_out(graph: &Graph, before: &Tree, after: &Tree) -> Vec<String> {
     let mut lines = Vec::new();
     for (index, (link, own)) in after.links.iter().zip(&before.links).enumerate() {
@@ -91,7 +91,7 @@ pub fn left_out(graph: &Graph, before: &Tree, after: &Tree) -> Vec<String> {
         }
         if graph.is_zero(link.properties.mass) && !graph.is_zero(own.properties.mass) {
             let carrier = match beyond(graph, after, index).map(|carrier| &after.links[carrier]) {
-                // a part of its own joint has it
+                // a massless link of its own joint has it
                 Some(part) if part.name == *name => continue,
                 Some(carrier) => format!("`{}`", carrier.name),
                 None => "the ground".to_owned(),
@@ -102,7 +102,7 @@ pub fn left_out(graph: &Graph, before: &Tree, after: &Tree) -> Vec<String> {
     lines
 }
 
-/// What carries a link, beyond the parts of its joint that have no mass.
+/// The carrier of a link, beyond the massless parts of its joint.
 fn beyond(graph: &Graph, tree: &Tree, index: usize) -> Option<usize> {
     let mut carrier = tree.links[index].carrier;
     while let Some(part) = carrier.map(|carrier| &tree.links[carrier])
@@ -114,7 +114,7 @@ fn beyond(graph: &Graph, tree: &Tree, index: usize) -> Option<usize> {
     carrier
 }
 
-/// Whether the equations are the same however a link is turned.
+/// Whether the equations do not depend on the rotation of a link.
 fn turns_unseen(graph: &Graph, tree: &Tree, index: usize) -> bool {
     let carries = (0..tree.links.len())
         .any(|other| tree.links[other].carrier == Some(index) && !tree.is_idle(graph, other));

@@ -1,4 +1,4 @@
-//! How the axes of a link are turned against those of its carrier.
+//! The rotation of the axes of a link relative to those of its carrier.
 
 use crate::symbolic::{Components, Function, Graph, Id};
 
@@ -93,7 +93,7 @@ impl Turning {
         Self::By(transposed(&columns))
     }
 
-    /// This rotation of what `then` has turned.
+    /// This rotation applied after `then`.
     pub fn after(self, graph: &mut Graph, then: Self) -> Self {
         let columns = graph.unit_vectors().map(|unit| {
             let once = then.to_carrier(graph, unit);
@@ -103,7 +103,7 @@ impl Turning {
         Self::By(transposed(&columns))
     }
 
-    /// The same rotation in axes that both are turned into by `rows`, a matrix of right angles.
+    /// The same rotation after both axes are transformed by `rows`, a matrix of right angles.
     pub fn seen_turned(self, graph: &mut Graph, rows: Rows) -> Self {
         match self {
             Self::Parallel => self,

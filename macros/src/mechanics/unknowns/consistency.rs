@@ -1,9 +1,9 @@
-//! How far a state is from its constraints, and how to bring it back.
+//! The distance of a state from its constraints, and the correction.
 //!
 //! The projection moves the state along `M^-1 A^T`, the shortest way in the metric of the kinetic
 //! energy: `S l = g` with `S = A M^-1 A^T`, then `q - M^-1 A^T l`; and likewise the velocities.
 //!
-//! What rounding makes of a constraint is told by the same metric, as `|A q| <= sqrt(S) |q|`: a
+//! The same metric gives the rounding of a constraint, as `|A q| <= sqrt(S) |q|`: a
 //! state has rounded coordinates, of the size of the radius of inertia of its mass about the
 //! origin, and velocities of the size of its kinetic energy.
 
@@ -13,24 +13,24 @@ use crate::symbolic::{Components, Function, Graph, Id, Node};
 
 use super::constrained::Constrained;
 
-/// One constraint, as the runtime is told of it.
+/// One constraint, as passed to the runtime.
 #[derive(Clone)]
 pub struct Consistency {
     pub name: String,
-    /// `g`, and the size of what it is summed from.
+    /// `g`, and the size of the terms of its sum.
     pub position: Option<(Id, Id)>,
-    /// `h`, and the size of what it is summed from.
+    /// `h`, and the size of the terms of its sum.
     pub velocity: (Id, Id),
     /// `M^-1 A^T`, in the order of the acceleration.
     pub direction: Vec<Id>,
     /// The row of `S`.
     pub coupling: Vec<Id>,
-    /// Whether others keep it, wherever all hold.
+    /// Whether it follows from the others wherever all hold.
     pub follows: bool,
 }
 
 impl Consistency {
-    /// All expressions that it is made of.
+    /// All its expressions.
     pub fn roots(&self) -> Vec<Id> {
         let (value, size) = self.velocity;
         let position = self
@@ -79,7 +79,7 @@ pub fn derive_consistency(
             direction: {
                 let Pair { linear, angular } = directions[row];
                 let angular = match model.state.axis {
-                    // the change of the axis of a rod is in the place of the angular one
+                    // the change of the axis of a rod takes the place of the angular one
                     Some(axis) => turned_by(work, axis, angular),
                     None => angular,
                 };
@@ -97,7 +97,7 @@ pub fn derive_consistency(
     list.collect()
 }
 
-/// What a constraint may be at most in a state of this size, in which nothing is zero but by
+/// The bound of a constraint in a state of this size, in which zeros arise only by
 /// cancellation.
 pub struct Reach {
     pub position: Option<Id>,
@@ -146,7 +146,7 @@ fn spread(model: &Model, work: &mut Workspace) -> Id {
     graph.add(moving, inertia)
 }
 
-/// The size of the terms that a value is summed from; of a product, of those of its factors.
+/// The size of the terms of the sum of a value; for a product, of those of its factors.
 pub fn summed_size(graph: &mut Graph, value: Id) -> Id {
     let (mut factors, mut sums, mut rest) = (vec![value], Vec::new(), graph.one());
     while let Some(factor) = factors.pop() {

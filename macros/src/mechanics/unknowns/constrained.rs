@@ -1,5 +1,5 @@
-//! A constraint with its derivatives, and where it says something: one that is constant on some
-//! branch says nothing there.
+//! A constraint with its derivatives, and the branches on which it is not trivial: one that is
+//! constant on a branch has no gradient there.
 
 use proc_macro2::Ident;
 
@@ -8,14 +8,14 @@ use crate::mechanics::variation::{Rates, rates};
 use crate::model::{Level, Model, Workspace};
 use crate::symbolic::Id;
 
-/// Conditions that are looked at together.
+/// The limit of conditions that are examined together.
 const MOST: usize = 6;
 
 /// A constraint with its derivatives.
 pub struct Constrained {
     pub name: String,
     pub place: Ident,
-    /// `g`; a constraint of velocities has none.
+    /// `g`; none for a velocity constraint.
     pub position: Option<Id>,
     /// `h`
     pub velocity: Id,
@@ -23,7 +23,7 @@ pub struct Constrained {
     pub rates: Rates,
 }
 
-/// Each constraint with what it says of velocities and accelerations.
+/// Each constraint with its conditions on velocities and accelerations.
 pub fn differentiate(model: &Model, work: &mut Workspace) -> Vec<Constrained> {
     let constraints = model.constraints.iter().map(|constraint| {
         let value = constraint.value;
@@ -42,7 +42,7 @@ pub fn differentiate(model: &Model, work: &mut Workspace) -> Vec<Constrained> {
     constraints.collect()
 }
 
-/// Where the gradient of a constraint is not proved to be zero; `None` is everywhere.
+/// The branches on which the gradient of a constraint is not proved to be zero; `None` for all.
 pub fn active(work: &mut Workspace, gradient: &[Id]) -> Option<Id> {
     let conditions = work.graph.conditions(gradient);
     if conditions.is_empty() || conditions.len() > MOST {

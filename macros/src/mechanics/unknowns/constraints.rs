@@ -7,7 +7,7 @@
 //! sum of (A_i . D_j) u_j = -(A_i . q''_0 + b_i)
 //! ```
 //!
-//! Where the reactions point along the gradients of their constraints, `A_i . D_j` is symmetric and
+//! If the reactions point along the gradients of their constraints, `A_i . D_j` is symmetric and
 //! positive: a sum of squares over masses.
 
 use crate::errors::Errors;
@@ -109,8 +109,8 @@ fn constraint_row(
     (coefficients, graph.negate(known))
 }
 
-/// The balances that the free accelerations leave over: the moments about G, of a body that does
-/// not turn; those that a support meets, if its reactions are asked for.
+/// The balances that the free accelerations leave over: the moments about G, for a body that does
+/// not rotate; those of a support, if its reactions are requested.
 fn rows_left(
     model: &Model,
     work: &mut Workspace,
@@ -162,8 +162,8 @@ fn rows_left(
     Some(rows)
 }
 
-/// `A . D` is the product of a gradient and a load in the metric of the kinetic energy. Where the
-/// load pushes along the gradient it is a sum of squares; else it is at most the product of their
+/// `A . D` is the product of a gradient and a load in the metric of the kinetic energy. If the load
+/// pushes along the gradient it is a sum of squares; otherwise it is at most the product of their
 /// lengths, and vanishes where they are perpendicular.
 fn size(model: &Model, work: &mut Workspace, constraint: &Constrained, push: &Push<'_>) -> Size {
     let gradient = constraint.rates.factors;
@@ -180,7 +180,7 @@ fn size(model: &Model, work: &mut Workspace, constraint: &Constrained, push: &Pu
     Size::Product(graph.apply(Function::Sqrt, &[square]))
 }
 
-/// Whether two vectors are proved to be parallel, on all branches on which the first is not zero.
+/// Whether two vectors are proved to be parallel, on all branches on which the first is nonzero.
 fn are_parallel(a: &[Sample], b: &[Sample]) -> bool {
     let branches = a.first().map_or(0, |first| first.0.len());
     let on_branch = |branch: usize| {

@@ -5,10 +5,10 @@
 //!                             b: what is left without them
 //! ```
 //!
-//! As many balances as unknowns, along axes in which no other has a part in them, are solved as
-//! they are. Where there are more, the motion is taken to be one that the drives can make, and they
-//! follow from Gauss's principle, by which the acceleration they leave over is least in the metric
-//! of the kinetic energy:
+//! If there are as many balances as unknowns, along axes in which no other unknown appears, they
+//! are solved directly. If there are more, the motion is assumed to be one that the drives can
+//! produce, and the drives follow from Gauss's principle: the remaining acceleration is least in
+//! the metric of the kinetic energy:
 //!
 //! ```text
 //! sum of (w_i . M^-1 w_j) u_j = -w_i . M^-1 b
@@ -28,7 +28,7 @@ use super::solvability::{OF_DRIVES, check_across, check_determined};
 use super::unit::{Unit, assemble, name_values, names};
 
 /// Solves for the drives of the model, under constraints together with the reactions that keep
-/// these. `free` are the balances along the directions in which the body moves freely.
+/// these. `free` are the balances along the free directions of the body.
 pub fn solve_drives(
     model: &Model,
     work: &mut Workspace,
@@ -41,7 +41,7 @@ pub fn solve_drives(
     } else {
         pushes(model, work)
     };
-    // else what a support carries follows from the motion, and drives nothing
+    // otherwise the load of a support follows from the motion, and drives nothing
     let meets_supports = pushes.iter().any(|push| push.supports && push.is_followed);
     let is_held = !model.constraints.is_empty() && !model.motion.has_attitude();
     let held = if is_held || meets_supports {
@@ -75,7 +75,7 @@ pub fn solve_drives(
     Some(drives.collect())
 }
 
-/// The balances in which unknowns have a part, if there are as many along some axes: of these, axes in
+/// The balances in which unknowns appear, if there are as many along some axes; preferably axes in
 /// which the coefficients are known early.
 fn as_many(
     model: &Model,
@@ -105,7 +105,7 @@ fn as_many(
     found
 }
 
-/// The balances in which unknowns have a part, of forces and of moments in these axes.
+/// The balances in which unknowns appear, of forces and of moments in these axes.
 fn balances(
     work: &mut Workspace,
     rows: &[Row],

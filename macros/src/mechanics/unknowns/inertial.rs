@@ -1,10 +1,10 @@
-//! What the given loads and the inertia leave of the balances.
+//! The remainder of the balances after the given loads and the inertia.
 
 use crate::mechanics::balances::{inertia_about_center, known_parts, moments_about, resultant};
 use crate::model::{Frame, Load, Meaning, Model, Pair, Variable, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
-/// `-m a` and `-(J_C w' + w x J_C w)`, in the motion that the accelerations give.
+/// `-m a` and `-(J_C w' + w x J_C w)`, in the motion with these accelerations.
 pub fn inertial(model: &Model, work: &mut Workspace, accelerations: Pair) -> (Vector, Vector) {
     let rate = spatial(model, work, accelerations.angular);
     let symbols = acceleration_symbols(model, work).into_iter();
@@ -21,7 +21,7 @@ pub fn inertial(model: &Model, work: &mut Workspace, accelerations: Pair) -> (Ve
     resistance(model, work, acceleration, change)
 }
 
-/// An angular acceleration by all its components; about a hinge there is one.
+/// An angular acceleration with all its components; for a hinge there is one.
 fn spatial(model: &Model, work: &mut Workspace, angular: Components) -> Components {
     let graph = &mut work.graph;
     match model.hinge(graph) {
@@ -30,7 +30,7 @@ fn spatial(model: &Model, work: &mut Workspace, angular: Components) -> Componen
     }
 }
 
-/// `-m a`, and minus the change of the angular momentum.
+/// `-m a`, and minus the rate of the angular momentum.
 fn resistance(
     model: &Model,
     work: &mut Workspace,
@@ -62,7 +62,7 @@ pub fn acceleration_symbols(model: &Model, work: &Workspace) -> Vec<(Id, Variabl
     symbols.collect()
 }
 
-/// What one unit of an unknown changes of these by the acceleration that it makes.
+/// The change of these by the acceleration due to one unit of an unknown.
 pub fn inertial_change(
     model: &Model,
     work: &mut Workspace,
@@ -82,7 +82,7 @@ pub fn inertial_change(
     resistance(model, work, acceleration, change)
 }
 
-/// Sum of the given forces and their moment about the center, less the inertial ones.
+/// Sum of the given forces and their moment about the center, minus the inertial ones.
 pub fn balances_without_unknowns(
     model: &Model,
     work: &mut Workspace,
@@ -93,7 +93,7 @@ pub fn balances_without_unknowns(
     balances_of(model, work, &model.loads, known, accelerations)
 }
 
-/// The same of other loads, and of forces with their moments.
+/// The same for other loads, and for forces with their moments.
 pub fn balances_of(
     model: &Model,
     work: &mut Workspace,

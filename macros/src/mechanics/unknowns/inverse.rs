@@ -1,9 +1,10 @@
-//! Inverse dynamics: the drives that go with a given motion.
+//! Inverse dynamics: the drives that produce a given motion.
 //!
 //! The same balances as in [`super::reactions`], with the accelerations given and the drives
-//! unknown beside the reactions. A motion is taken to be one that the drives can make: a balance in
-//! which no unknown has a part is not looked at. Where coefficients depend on the configuration, or
-//! drives are fewer than the balances they have a part in, [`super::drives`] solves for them.
+//! unknown together with the reactions. The motion is assumed to be one that the drives can
+//! produce: balances in which no unknown appears are ignored. If coefficients depend on the
+//! configuration, or there are fewer drives than balances in which they appear, [`super::drives`]
+//! solves for them.
 
 use crate::errors::Errors;
 use crate::families::LoadKind;
@@ -39,8 +40,8 @@ pub fn derive_inverse(
     Some(drives.collect())
 }
 
-/// The drives: with constant coefficients where there are axes in which they are, and there are as
-/// many as they have balances.
+/// The drives: with constant coefficients if there are axes in which they are constant, and there
+/// are as many drives as balances.
 fn solve(
     model: &Model,
     work: &mut Workspace,
@@ -67,7 +68,7 @@ fn solve(
     }
 }
 
-/// The balances along the directions in which the body moves freely.
+/// The balances along the free directions of the body.
 fn free_balances(model: &Model, work: &mut Workspace) -> Vec<Row> {
     let units = work.graph.unit_vectors();
     let along = |kind: LoadKind, direction: Components| Row::new("the balances", kind, direction);
@@ -83,7 +84,7 @@ fn free_balances(model: &Model, work: &mut Workspace) -> Vec<Row> {
     rows
 }
 
-/// The accelerations as symbols; of a rod there is `u x u''`.
+/// The accelerations as symbols; for a rod there is `u x u''`.
 fn accelerations(model: &Model, work: &Workspace) -> Pair {
     let zeros = work.graph.zeros();
     let (mut linear, mut angular) = (zeros, zeros);

@@ -38,7 +38,7 @@ pub fn balances_left(model: &Model, work: &mut Workspace) -> Vec<Row> {
     rows
 }
 
-/// Two directions across an axis: the other two axes, if it is one of them.
+/// Two directions perpendicular to an axis: the other two axes, if it is one of them.
 pub fn across(work: &mut Workspace, d: Components) -> [(&'static str, Components); 2] {
     let graph = &mut work.graph;
     let units = graph.unit_vectors();

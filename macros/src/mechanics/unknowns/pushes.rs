@@ -1,4 +1,5 @@
-//! What one unit of each unknown does: its load, the loads that follow it, and the acceleration.
+//! The effect of one unit of each unknown: its load, the loads that depend on it, and the
+//! acceleration.
 //!
 //! A load may name an unknown reaction R, as friction does with `-mu R`. It is linear in R:
 //! `F(R) = F(known) + sum of u_j dF/dR . e_j`.
@@ -12,20 +13,20 @@ use crate::symbolic::{Components, Id, Node};
 
 use super::unit::Unit;
 
-/// One unit of an unknown, and what it does under constraints.
+/// One unit of an unknown, and its effect under constraints.
 pub struct Push<'m> {
     pub unit: Unit<'m>,
     /// Another load depends on it.
     pub is_followed: bool,
-    /// Its load, along which the body moves freely.
+    /// Its load, along the free directions of the body.
     pub free: Pair,
-    /// It acts where the body is held: by itself it makes no acceleration.
+    /// It acts at the held point: by itself it causes no acceleration.
     pub supports: bool,
-    /// What it makes.
+    /// The acceleration that it causes.
     pub accelerations: Pair,
 }
 
-/// The loads without the unknowns: what is known, and what would be if the unknowns were zero.
+/// The loads without the unknowns: the known loads, with the unknowns set to zero.
 pub fn known_loads(model: &Model, work: &mut Workspace) -> Vec<Load> {
     let mut values = Vec::new();
     let mut loads = Vec::new();
@@ -54,7 +55,7 @@ fn symbols(work: &Workspace, reaction: &Reaction) -> Components {
     work.part(reaction.symbols, Frame::WORLD)
 }
 
-/// What each unknown does.
+/// The effect of each unknown.
 pub fn pushes<'m>(model: &'m Model, work: &mut Workspace) -> Vec<Push<'m>> {
     let mut pushes = Vec::new();
     for reaction in &model.reactions {
@@ -93,7 +94,7 @@ fn push<'m>(
     }
 }
 
-/// What of a load moves the body.
+/// The part of a load that moves the body.
 fn free_load(model: &Model, work: &mut Workspace, unit: &Unit<'_>) -> Pair {
     let force = work.components(unit.force, Frame::WORLD);
     let moment = if model.motion.has_attitude() {

@@ -1,8 +1,8 @@
 //! Unknown reactions, from the balances that the accelerations leave over.
 //!
 //! The accelerations follow from the balances along the free directions, in which ideal reactions
-//! have no part: no reaction is needed to move the body, and none is computed unless asked for.
-//! What is left of (1.3) and (1.4) is linear in the reactions:
+//! do not appear: the motion needs no reaction, and none is computed unless requested.
+//! The remainder of (1.3) and (1.4) is linear in the reactions:
 //!
 //! ```text
 //! sum of F + sum of R - m a = 0
@@ -22,7 +22,7 @@ use super::rows::{Row, Solved, Unmoved, equations};
 use super::solvability::{check_balanced, check_supports, check_workless};
 use super::unit::{Unit, named_result};
 
-/// Solves for the unknown components; what they cannot be solved for is reported on them.
+/// Solves for the unknown components; failures are reported on them.
 pub fn derive_reactions(
     model: &Model,
     work: &mut Workspace,
@@ -52,9 +52,9 @@ pub fn derive_reactions(
     Some(in_world.collect())
 }
 
-/// The components of unknown loads that meet the balances of `rows`, in a motion with these
-/// accelerations. Where coefficients are not constant in any axes, the place of an unknown that
-/// makes them so.
+/// The components of unknown loads that satisfy the balances of `rows`, in a motion with these
+/// accelerations. If coefficients are not constant in any axes, the error is the place of an
+/// unknown that causes this.
 pub fn solve_unknowns<'m>(
     model: &Model,
     work: &mut Workspace,
@@ -88,9 +88,9 @@ pub fn solve_unknowns<'m>(
     })
 }
 
-/// The axes in which the balances are written: those of the world where all unknowns can be written
-/// in them with constant coefficients, else those of the body. All three components of an unknown
-/// vector can be written in any axes.
+/// The axes of the balances: those of the world if all unknowns can be written in them with
+/// constant coefficients, otherwise those of the body. All three components of an unknown vector
+/// can be written in any axes.
 fn choose_frame(model: &Model, work: &mut Workspace, loads: &[&Reaction]) -> Result<Frame, Extent> {
     let center = model.state.center(work);
     let mut in_world = true;
@@ -116,9 +116,9 @@ fn choose_frame(model: &Model, work: &mut Workspace, loads: &[&Reaction]) -> Res
     mixed.map_or(Ok(model.state.body), Err)
 }
 
-/// Whether the unknown components of a reaction are the same unknowns in the axes of the body and
-/// in those of the world: all of them, and, about an axis of coordinates, that along it or those
-/// across it.
+/// Whether the unknown components of a reaction are the same unknowns in body axes and
+/// in world axes: all of them, or, about a coordinate axis, the component along it or those
+/// perpendicular to it.
 fn is_in_any_axes(model: &Model, work: &mut Workspace, reaction: &Reaction) -> bool {
     let hinge = model.hinge(&mut work.graph);
     if reaction.is_whole(model.motion) {

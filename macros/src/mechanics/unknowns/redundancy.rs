@@ -1,4 +1,4 @@
-//! Whether constraints and unknowns determine each other: what to say if they do not, and where.
+//! Checks that constraints and unknowns determine each other, with the errors and their places.
 
 use std::collections::BTreeSet;
 
@@ -15,11 +15,11 @@ struct Reduced {
     index: usize,
     lead: usize,
     gradient: Vec<Residue>,
-    /// The constraints that it is made of.
+    /// The constraints in this combination.
     of: Vec<usize>,
 }
 
-/// Constraints that are proved to follow from others are reported: the reactions would not be
+/// Reports constraints that are proved to follow from others: the reactions would not be
 /// determined.
 pub fn check_independent(
     work: &mut Workspace,
@@ -68,8 +68,8 @@ pub fn check_independent(
     independent.then_some(())
 }
 
-/// Of gradients on one branch, the ones that each follows from; `None` of one that follows from
-/// none, or has no value.
+/// For gradients on one branch, the others that each follows from; `None` for an independent one,
+/// or one without a value.
 fn redundant(gradients: &[Option<Vec<Residue>>]) -> Vec<Option<Vec<usize>>> {
     let mut basis: Vec<Reduced> = Vec::new();
     let redundant = gradients.iter().enumerate().map(|(index, gradient)| {
@@ -89,7 +89,7 @@ fn redundant(gradients: &[Option<Vec<Residue>>]) -> Vec<Option<Vec<usize>>> {
     redundant.collect()
 }
 
-/// A gradient without its parts along `basis`, and the constraints that these are made of.
+/// A gradient without its parts along `basis`, and the constraints of these parts.
 fn reduce(mut gradient: Vec<Residue>, basis: &[Reduced]) -> (Vec<Residue>, Vec<usize>) {
     let mut of = Vec::new();
     for known in basis {
@@ -109,7 +109,7 @@ fn reduce(mut gradient: Vec<Residue>, basis: &[Reduced]) -> (Vec<Residue>, Vec<u
     (gradient, of)
 }
 
-/// Constraints that no unknown keeps, and balances that are left over and not met.
+/// Constraints that no unknown keeps, and remaining balances that are not satisfied.
 pub fn check_kept(
     model: &Model,
     constraints: &[Constrained],

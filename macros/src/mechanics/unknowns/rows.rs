@@ -1,4 +1,4 @@
-//! The balances that unknowns are solved from.
+//! The balances from which unknowns are solved.
 
 use crate::families::LoadKind;
 use crate::mechanics::proofs::samples;
@@ -7,7 +7,7 @@ use crate::symbolic::{Components, Elimination, Equation, Id, Size};
 
 use super::unit::{Unit, assemble};
 
-/// A row of the balances that is left over.
+/// A remaining row of the balances.
 #[derive(Clone)]
 pub struct Row {
     pub name: &'static str,
@@ -25,8 +25,8 @@ impl Row {
         }
     }
 
-    /// What it says of loads with unknown factors, by their forces and moments beside `rest`, in
-    /// these axes of forces and of moments.
+    /// Its equation for loads with unknown factors, from their forces and moments and from `rest`,
+    /// in these axes of forces and of moments.
     pub fn sides(
         &self,
         work: &mut Workspace,
@@ -47,16 +47,16 @@ impl Row {
     }
 }
 
-/// What is done with balances in which no unknown has a part.
+/// The treatment of balances in which no unknown appears.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Unmoved {
-    /// They have to hold by themselves.
+    /// They must hold by themselves.
     Checked,
-    /// The motion is taken to meet them.
+    /// The motion is assumed to satisfy them.
     Ignored,
 }
 
-/// What the balances say of the unknowns.
+/// The equations of the balances for the unknowns.
 pub struct Solved<'m> {
     pub units: Vec<Unit<'m>>,
     pub rows: Vec<Row>,
@@ -66,14 +66,14 @@ pub struct Solved<'m> {
 }
 
 impl Solved<'_> {
-    /// A load, what is known of it and what is solved for.
+    /// A load, with its known part and its solved part.
     pub fn load(&self, work: &mut Workspace, load: &Reaction) -> Vector {
         let values = self.elimination.values.iter();
         let values: Vec<Id> = values.map(|value| work.graph.unnamed(*value)).collect();
         assemble(work, load, self.units.iter().zip(values))
     }
 
-    /// The balances in which no unknown has a part, and which do not hold by themselves.
+    /// The balances in which no unknown appears, and which do not hold by themselves.
     pub fn unbalanced(&self, work: &Workspace) -> impl Iterator<Item = &Row> {
         let spare = self.elimination.spare.iter();
         let unmet = spare.filter(|(_, right)| !work.graph.is_zero(*right));

@@ -1,4 +1,4 @@
-//! Whether the balances determine the reactions: what to say if they do not, and where.
+//! Checks that the balances determine the reactions, with the errors and their places.
 
 use crate::errors::{Errors, Extent};
 use crate::families::LoadKind;
@@ -9,7 +9,7 @@ use crate::symbolic::{Elimination, Number, Undetermined};
 use super::rows::Solved;
 use super::unit::{Unit, names};
 
-/// Along the directions in which the body moves freely, a reaction would be a drive: the
+/// Along the free directions of the body, a reaction would be a drive: the
 /// accelerations were found without it.
 pub fn check_workless(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
     let mut workless = true;
@@ -31,7 +31,7 @@ pub fn check_workless(model: &Model, work: &mut Workspace, errors: &mut Errors) 
     workless.then_some(())
 }
 
-/// Whether a unit load along this axis has a power for some velocity that the support allows.
+/// Whether a unit load along this axis does work in some motion that the support allows.
 fn does_work(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usize) -> bool {
     let (kind, point, frame) = (reaction.kind, reaction.point, reaction.frame);
     let is_whole = reaction.is_whole(model.motion);
@@ -55,7 +55,7 @@ fn does_work(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usi
     let turns_with_body = frame == model.state.body || is_whole;
     match hinge {
         Some(_) if turns_with_body => !stays[axis],
-        // what is written in world axes turns through all directions across the axis
+        // a load in world axes takes all directions perpendicular to the axis
         Some(d) => stays != [true; 3] && !graph.is_along(d, axis),
         None => stays != [true; 3],
     }
@@ -84,10 +84,10 @@ fn drive(model: &Model, reaction: &Reaction) -> String {
     format!("a reaction does no work, and {reason}")
 }
 
-/// What to say of unknowns of a kind that are not determined.
+/// The message for undetermined unknowns of a kind.
 #[derive(Clone, Copy)]
 pub struct Advice {
-    /// Of one in which nothing has a part.
+    /// For one that appears in nothing.
     pub alone: &'static str,
     /// When its value is zero.
     pub zero: &'static str,
@@ -104,7 +104,7 @@ pub const OF_DRIVES: Advice = Advice {
     zero: "if it is at rest",
 };
 
-/// Unknowns of a support, and drives beside them, that are not determined.
+/// Undetermined unknowns of a support, and of additional drives.
 pub fn check_supports(
     model: &Model,
     work: &Workspace,
@@ -126,7 +126,7 @@ pub fn check_supports(
     check_determined(work, &names, &solved.elimination, advice, errors)
 }
 
-/// Unknowns that are not determined, each by its name and its place.
+/// Undetermined unknowns, each by its name and its place.
 pub fn check_determined(
     work: &Workspace,
     unknowns: &[(String, Extent)],
@@ -200,7 +200,7 @@ pub fn check_balanced(work: &Workspace, solved: &Solved<'_>, errors: &mut Errors
     solved.is_balanced(work).then_some(())
 }
 
-/// Of a rod: nothing balances a moment about the axis. That of one unit of an unknown has no such
+/// For a rod: nothing balances a moment about the axis. That of one unit of an unknown has no such
 /// part.
 pub fn check_across<'u>(
     model: &Model,

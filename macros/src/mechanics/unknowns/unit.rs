@@ -1,4 +1,4 @@
-//! The unknown components of loads: what one unit of each does.
+//! The unknown components of loads: the effect of one unit of each.
 
 use crate::errors::Extent;
 use crate::mechanics::balances::{about_pole, moments_about, resultant};
@@ -10,16 +10,16 @@ pub struct Unit<'m> {
     pub load: &'m Reaction,
     pub axis: usize,
     pub place: Extent,
-    /// Of the component by itself.
+    /// The load of the component alone.
     pub direction: Vector,
-    /// With that of the loads that follow it.
+    /// Including the loads that depend on it.
     pub force: Vector,
     /// The same, about the center.
     pub moment: Vector,
 }
 
 impl<'m> Unit<'m> {
-    /// Of an unknown component, by its axis and its place, with what follows it.
+    /// For an unknown component, by its axis and its place, including dependent loads.
     pub fn new(
         model: &Model,
         work: &mut Workspace,
@@ -45,7 +45,8 @@ impl<'m> Unit<'m> {
         }
     }
 
-    /// Of each unknown component of loads by itself, in the axes in which it is written, or others.
+    /// For each unknown component of loads separately, in the axes in which it is written, or
+    /// others.
     pub fn list(
         model: &Model,
         work: &mut Workspace,
@@ -61,13 +62,13 @@ impl<'m> Unit<'m> {
         units
     }
 
-    /// What messages call it.
+    /// Its name in messages.
     pub fn name(&self, model: &Model) -> String {
         self.load.component_name(model.motion, self.axis)
     }
 }
 
-/// What messages call unknowns, and their places.
+/// The names of unknowns in messages, and their places.
 pub fn names<'u>(
     model: &Model,
     units: impl IntoIterator<Item = &'u Unit<'u>>,
@@ -76,7 +77,7 @@ pub fn names<'u>(
     units.map(|unit| (unit.name(model), unit.place)).collect()
 }
 
-/// Names the values of unknowns, and what is divided by for them.
+/// Names the values of unknowns, and their divisors.
 pub fn name_values(work: &mut Workspace, names: &[(String, Extent)], elimination: &Elimination) {
     for ((name, _), value) in names.iter().zip(&elimination.values) {
         work.labels.name(*value, name.replace('.', "_"));
@@ -87,7 +88,7 @@ pub fn name_values(work: &mut Workspace, names: &[(String, Extent)], elimination
     }
 }
 
-/// A load: what is known of it, and the values of its units.
+/// A load: its known part, and the values of its units.
 pub fn assemble<'u>(
     work: &mut Workspace,
     load: &Reaction,
@@ -102,7 +103,7 @@ pub fn assemble<'u>(
     work.sum(parts)
 }
 
-/// A load that is solved for, as a result in these axes.
+/// A solved load, as a result in these axes.
 pub fn named_result(
     work: &mut Workspace,
     load: &Reaction,

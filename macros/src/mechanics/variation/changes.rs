@@ -1,7 +1,8 @@
-//! What expressions change by in one direction, forwards: the chain rule from the leaves to the roots.
+//! The changes of expressions in one direction, forwards: the chain rule from the leaves to the
+//! roots.
 //!
-//! A turned vector changes as a vector does, whatever its rotation is made of: as the body turns by
-//! phi,
+//! A rotated vector changes as a vector does, whatever the form of its rotation: as the body
+//! rotates by phi,
 //!
 //! ```text
 //! (R v)' = R (v' + phi x v)        (R^T v)' = R^T v' - phi x R^T v        phi in body axes
@@ -37,7 +38,7 @@ pub fn changes(
     work.graph.change(roots, |id| known.get(&id).copied())
 }
 
-/// The change of a turned vector, by that of the vector.
+/// The change of a rotated vector, from that of the vector.
 fn of_turned(
     work: &mut Workspace,
     turn: &Turn,
@@ -50,7 +51,7 @@ fn of_turned(
     };
     let phi = work.components(*phi, body);
     match (body == turn.from, work.attitude(turn.from)) {
-        // about an axis, phi has the same components in both axes, and the result is there already
+        // about an axis, phi has the same components in both axes, and the result exists already
         (true, Attitude::Axis { .. }) => {
             let swept = work.graph.cross(phi, turn.turned);
             let carried = work.turn(inner, turn.from, turn.to);

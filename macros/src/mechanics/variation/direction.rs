@@ -1,7 +1,7 @@
 //! Directions in which a state may change: tangent vectors of the space of states.
 //!
-//! The attitude changes by a small turn phi, whatever it is made of: what is fixed in the body by
-//! `phi x r`, and a quaternion by
+//! The attitude changes by a small rotation phi, whatever its form: vectors fixed in the body
+//! change by `phi x r`, and a quaternion by
 //!
 //! ```text
 //! q' = q (0, phi) / 2    phi in body axes        q' = (0, phi) q / 2    phi in world axes
@@ -14,14 +14,14 @@ use crate::symbolic::{Components, Graph, Id, Node, Number};
 
 /// A direction in the space of states.
 pub struct Direction {
-    /// What each symbol changes by; others stay as they are.
+    /// The change of each symbol; others are constant.
     pub changes: BTreeMap<Id, Id>,
-    /// By how much each frame turns against the one that carries it; others stay as they are.
+    /// The rotation of each frame relative to the one that carries it; others are constant.
     pub turns: BTreeMap<Frame, Vector>,
 }
 
 impl Direction {
-    /// As the body moves, its velocities held; inputs are held, unless they move.
+    /// The motion of the body, with velocities held; inputs are held, unless they move.
     pub fn motion(model: &Model, work: &mut Workspace) -> Self {
         let state = &model.state;
         let phi = work.vector(state.axes, state.angular_velocity);
@@ -38,7 +38,7 @@ impl Direction {
         motion
     }
 
-    /// The world is turned about `e`: what is written in its axes turns with it.
+    /// The world is rotated about `e`: vectors written in its axes rotate with it.
     pub fn turn_of_world(model: &Model, work: &mut Workspace, e: Components) -> Self {
         let state = &model.state;
         let phi = work.vector(Frame::WORLD, e);
@@ -52,7 +52,7 @@ impl Direction {
         turn
     }
 
-    /// The axes of the body are turned back about `e`: what is written in them turns with `e`.
+    /// The axes of the body are rotated back about `e`: vectors written in them rotate with `e`.
     pub fn turn_of_axes(model: &Model, work: &mut Workspace, e: Components) -> Self {
         let w = model.state.angular_velocity;
         let back = work.graph.negate_vector(e);
@@ -63,7 +63,7 @@ impl Direction {
         turn
     }
 
-    /// One symbol changes by one, and nothing but what follows it: axes whose angle it is in turn
+    /// One symbol changes by one, with its consequences: axes whose angle it is rotate
     /// with it. Without it, nothing changes.
     pub fn of_symbol(work: &mut Workspace, symbol: Option<Id>) -> Self {
         let one = work.graph.one();
@@ -85,7 +85,7 @@ impl Direction {
         }
     }
 
-    /// The body is turned, and nothing else changes.
+    /// The body is rotated, and nothing else changes.
     pub fn turn(work: &mut Workspace, body: Frame, phi: Vector) -> Self {
         let [own, world] = [body, Frame::WORLD].map(|frame| work.part(phi, frame));
         let attitude = work.attitude(body);
@@ -126,7 +126,7 @@ fn world_parts(work: &Workspace, vectors: [Vector; 2]) -> [Components; 2] {
     vectors.map(|vector| work.part(vector, Frame::WORLD))
 }
 
-/// A vector of the state changes; what the motion does not have stays as it is.
+/// A vector of the state changes; components that the motion lacks are constant.
 fn change(graph: &Graph, changes: &mut BTreeMap<Id, Id>, vector: Components, by: Components) {
     let is_symbol = |id: Id| matches!(graph.node(id), Node::Symbol(_)) && !graph.is_early(id);
     let parts = vector.into_iter().zip(by);

@@ -1,12 +1,12 @@
-//! What expressions are made of, where rotations are not looked into.
+//! The leaves of expressions, without descending into rotations.
 
 use std::collections::{HashMap, HashSet};
 
 use crate::model::{Turn, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
-/// The late symbols that expressions follow, and the vectors that were turned in them, each after those
-/// it is made of.
+/// The late symbols on which expressions depend, and the rotated vectors in them, each after those
+/// in it.
 pub struct Leaves {
     pub symbols: HashSet<Id>,
     pub turns: Vec<Turn>,
@@ -19,7 +19,8 @@ impl Leaves {
         let first = |turn: &Turn| late(turn.turned).min();
         let mut turned: HashMap<Id, &Turn> = HashMap::new();
         for turn in &work.turned {
-            // what is turned was made before, or the components do not say that they were turned
+            // the original precedes its rotated components; otherwise these do not show the
+            // rotation
             if late(turn.vector).max() < first(turn) {
                 for part in late(turn.turned) {
                     turned.entry(part).or_insert(turn);

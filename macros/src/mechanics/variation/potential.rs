@@ -1,6 +1,6 @@
 //! Potentials as loads: `F = -dU/dR` and `K = -dU/dphi` (34.2), (34.6).
 //!
-//! The derivative along a rotation is not taken through the rotation. As the body turns by phi,
+//! The derivative along a rotation does not pass through the rotation. As the body rotates by phi,
 //! given in body axes, a vector fixed in the body changes in the world, and one fixed in the world
 //! changes in the body, by
 //!
@@ -8,8 +8,8 @@
 //! d(R v) = R (phi x v)        d(R^T v) = -phi x (R^T v)
 //! ```
 //!
-//! so with the slope g of U along the turned vector r, K is `(R^T g) x v` or `r x g`; and along v
-//! itself the slope is g, turned back.
+//! so with the slope g of U along the rotated vector r, K is `(R^T g) x v` or `r x g`; and along v
+//! itself the slope is g, rotated back.
 
 use std::collections::{HashMap, HashSet};
 
@@ -21,26 +21,26 @@ use super::direction::Direction;
 use super::slopes::Slopes;
 use super::spring_arm;
 
-/// What a potential amounts to.
+/// The loads of a potential.
 pub struct Derived {
     pub energy: Id,
     /// By the bodies of the form.
     pub on: Vec<Draw>,
-    /// Along each freedom of joints, `-dU/dq`.
+    /// Along each joint coordinate, `-dU/dq`.
     pub along: Vec<Id>,
 }
 
-/// What it does to a body.
+/// Its load on a body.
 #[derive(Clone, Copy)]
 pub struct Draw {
     pub force: Vector,
-    /// About G, or about the point that is held; body axes.
+    /// About G, or about the held point; body axes.
     pub moment: Components,
     /// At the axis of a rod, `-dU/du`; world axes.
     pub pull: Components,
 }
 
-/// The potentials become loads, in the form that makes the fewest operations.
+/// Turns potentials into loads, in the form with the fewest operations.
 pub fn with_potentials(mut model: Model, work: &mut Workspace) -> Model {
     let mut best: Option<(u32, Vec<Draw>, Vec<Id>)> = None;
     for form in &model.potentials.forms {
@@ -61,7 +61,7 @@ pub fn with_potentials(mut model: Model, work: &mut Workspace) -> Model {
     model
 }
 
-/// What the potentials of a form amount to.
+/// The loads of the potentials of a form.
 pub fn derive_form(work: &mut Workspace, form: &Form) -> Vec<Derived> {
     let energies = form.values.iter();
     let derived: Vec<Derived> = energies.map(|energy| derive(work, form, *energy)).collect();
@@ -88,7 +88,7 @@ fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Draw, energ
     }
 }
 
-/// Late operations of what enters the accelerations.
+/// Late operations of the expressions that enter the accelerations.
 fn cost(model: &Model, work: &mut Workspace, derived: &[Draw]) -> u32 {
     let mut roots = Vec::new();
     if model.motion.translates() {
@@ -103,13 +103,13 @@ fn cost(model: &Model, work: &mut Workspace, derived: &[Draw]) -> u32 {
     work.graph.late_cost(&roots).total()
 }
 
-/// Forces and moments, made of turned vectors that are still kept apart.
+/// Forces and moments, made of rotated vectors that are still kept apart.
 pub fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
     let place = symbols_of_place(work, form);
     let mut slopes = Slopes::along_leaves(work, energy, place.clone());
     let mut moments = vec![work.graph.zeros(); form.bodies.len()];
     let mut carrying = vec![Vector::ZERO; form.bodies.len()];
-    // each vector is made of those that were turned before it
+    // each vector contains only those that were rotated before it
     for turn in form.turns.iter().rev() {
         let slope = slopes.take(work, turn);
         if work.graph.is_zero_vector(&slope) {
@@ -152,7 +152,7 @@ pub fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
     Derived { energy, on, along }
 }
 
-/// The number of the body whose axes a vector was turned from or into.
+/// The index of the body whose axes a vector was rotated from or into.
 fn body_of(form: &Form, turn: &Turn) -> Option<usize> {
     let frame = if turn.to == Frame::WORLD {
         turn.from
@@ -242,8 +242,8 @@ fn of_attitude(
     (moment, zeros)
 }
 
-/// Puts turned vectors in the place of the symbols that were kept apart, and what other symbols stand
-/// for. Names go with what they name.
+/// Puts turned vectors in the place of the symbols that were kept apart, and what other symbols
+/// stand for. Names go with what they name.
 pub fn expand(work: &mut Workspace, form: &Form, derived: &[Derived]) -> Vec<Derived> {
     let mut values: HashMap<Id, Id> = form.stands_for.iter().copied().collect();
     for turn in &form.turns {

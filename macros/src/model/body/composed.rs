@@ -1,10 +1,10 @@
-//! What the parts of a body make together.
+//! The result of composing the parts of a body.
 
 use crate::symbolic::{Components, Graph, Id};
 
 use super::inertia::Inertia;
 
-/// What the parts of a body make together.
+/// The result of composing the parts of a body.
 #[derive(Clone, Copy, Debug)]
 pub struct Composed {
     pub mass: Id,
@@ -13,14 +13,14 @@ pub struct Composed {
     pub origin: Origin,
 }
 
-/// How the points of a body are written.
+/// The origin of the points of a body.
 #[derive(Clone, Copy, Debug)]
 pub enum Drawn {
-    /// From its G.
+    /// Its G.
     Alone,
-    /// From elsewhere.
+    /// Another origin.
     From(Origin),
-    /// From elsewhere, and where that is was reported.
+    /// Another origin, whose place is unknown because of a reported error.
     Lost,
 }
 
@@ -33,17 +33,17 @@ impl Drawn {
     }
 }
 
-/// Where G of a body is that is drawn from somewhere else.
+/// The place of G of a body drawn from another origin.
 #[derive(Clone, Copy, Debug)]
 pub struct Origin {
-    /// Of parts, where the first one is, from the drawing origin.
+    /// For parts, the place of the first one, from the drawing origin.
     pub first: Components,
     /// G, from there.
     pub center: Components,
 }
 
 impl Origin {
-    /// The offset from G of what was written from the drawing origin.
+    /// The offset from G of a point written from the drawing origin.
     pub fn offset(&self, graph: &mut Graph, point: Components) -> Components {
         let from_first = graph.subtract_vectors(point, self.first);
         graph.subtract_vectors(from_first, self.center)

@@ -1,4 +1,4 @@
-//! What a motion keeps at zero.
+//! Constraints of a motion.
 
 use proc_macro2::Ident;
 
@@ -8,27 +8,27 @@ use crate::symbolic::Id;
 /// A scalar that the motion keeps at zero.
 #[derive(Clone)]
 pub struct Constraint {
-    /// Its name; of a component of a vector, `pin.x`.
+    /// Its name; for a component of a vector, `pin.x`.
     pub name: String,
-    /// The name as it was written.
+    /// The name in the description.
     pub place: Ident,
-    /// What errors underline.
+    /// The part that errors underline.
     pub extent: Extent,
     pub level: Level,
     pub value: Id,
 }
 
-/// What a constraint speaks of.
+/// The level of a constraint.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Level {
-    /// Of where the body is: differentiated twice.
+    /// On the place of the body: differentiated twice.
     Position,
-    /// Of how it moves: differentiated once.
+    /// On its motion: differentiated once.
     Velocity,
 }
 
 impl Level {
-    /// How often it is differentiated.
+    /// The number of differentiations.
     pub fn derivatives(self) -> usize {
         match self {
             Self::Position => 2,

@@ -4,5 +4,5 @@ use std::collections::HashMap;
 
 use crate::symbolic::Id;
 
-/// The values that parameters have when nothing else is said.
+/// The default values of parameters.
 pub type Defaults = HashMap<Id, Id>;

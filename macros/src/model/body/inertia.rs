@@ -5,7 +5,7 @@ use crate::symbolic::{Components, Graph, Id};
 /// The inertia of a body about G, in body axes.
 #[derive(Clone, Copy, Debug)]
 pub enum Inertia {
-    /// The body does not turn, or nothing was said.
+    /// The body does not rotate, or no inertia was given.
     Absent,
     /// About the axis through G normal to the plane, or about every axis through G across a rod.
     Scalar(Id),
@@ -37,7 +37,7 @@ impl Inertia {
         }
     }
 
-    /// `J w' + w x J w`: the change of the angular momentum; of one number, `J w'`.
+    /// `J w' + w x J w`: the change of the angular momentum; for one number, `J w'`.
     pub fn change(self, graph: &mut Graph, w: Components, rate: Components) -> Components {
         let Self::Spatial(rows) = self else {
             return self.times(graph, rate);
@@ -48,7 +48,7 @@ impl Inertia {
         graph.add_vectors(driven, gyroscopic)
     }
 
-    /// The sum of two of a kind.
+    /// The sum of two inertias of the same kind.
     pub fn plus(self, graph: &mut Graph, other: Self) -> Self {
         match (self, other) {
             (Self::Scalar(a), Self::Scalar(b)) => Self::Scalar(graph.add(a, b)),
@@ -59,7 +59,7 @@ impl Inertia {
         }
     }
 
-    /// Its moments are positive, or not numbers.
+    /// Its moments, each positive or NaN.
     pub fn positive(self, graph: &mut Graph) -> Self {
         match self {
             Self::Absent => Self::Absent,
@@ -73,7 +73,7 @@ impl Inertia {
         }
     }
 
-    /// All nine entries; of what is not known, zeros.
+    /// All nine entries; zeros if it is unknown.
     pub fn rows(self, graph: &mut Graph) -> [Components; 3] {
         let mut rows = [graph.zeros(); 3];
         match self {

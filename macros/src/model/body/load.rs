@@ -13,24 +13,24 @@ pub struct Load {
     pub name: Ident,
     pub family: Family,
     pub force: Vector,
-    /// Where the force acts.
+    /// The point of action of the force.
     pub point: Point,
-    /// Without that of the force.
+    /// The moment without that of the force.
     pub moment: Vector,
-    /// Of a potential of a rod: what draws at its axis u, `-dU/du` in world axes; the moment is
+    /// For a potential of a rod: the pull at its axis u, `-dU/du` in world axes; the moment is
     /// `u x` this.
     pub pull: Option<Components>,
-    /// The potential that it follows from, if it does: it acts all over the body, and `point` was
-    /// chosen.
+    /// The potential from which it follows, if there is one: it then acts all over the body, and
+    /// `point` is an arbitrary choice.
     pub potential: Option<Id>,
-    /// What to underline if the load is at fault.
+    /// The part to underline if the load is at fault.
     pub extent: Extent,
-    /// Where it mentions an unknown reaction.
+    /// The place where it mentions an unknown reaction.
     pub mention: Option<Extent>,
 }
 
 impl Load {
-    /// Of one kind, at a point.
+    /// A load of one kind, at a point.
     pub fn new(name: Ident, family: Family, kind: LoadKind, vector: Vector, point: Point) -> Self {
         let (force, moment) = match kind {
             LoadKind::Force => (vector, Vector::ZERO),

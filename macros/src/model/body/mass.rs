@@ -7,7 +7,7 @@ use crate::symbolic::Id;
 pub enum Mass {
     /// None was given.
     Absent,
-    /// It was given, and what is wrong with it is reported.
+    /// It was given, and an error in it is reported.
     Reported,
     Known(Id),
 }

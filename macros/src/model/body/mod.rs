@@ -1,4 +1,4 @@
-//! What a body is and what acts on it: mass, inertia, loads, constraints; and what it is called.
+//! A body and its loads: mass, inertia, loads, constraints; and its names.
 
 mod composed;
 mod constraint;

@@ -1,4 +1,4 @@
-//! What is known of a description whatever is wrong with it: its names, types and signatures.
+//! The facts about a description that are known even if it has errors: names, types and signatures.
 
 use std::collections::HashSet;
 
@@ -10,102 +10,102 @@ use crate::model::joints::{Field, Group, Motion, OWN, Shape};
 use crate::model::words::{AXES, Dimension, Frame, FrameWord, Meaning, Unit, Variable};
 use crate::symbolic::Number;
 
-/// An output that is asked for, and where.
+/// A requested output, and its place.
 pub struct Asked {
     pub word: &'static str,
     pub place: Extent,
-    /// It has no meaning where nothing moves by itself.
+    /// It has no meaning if nothing moves by itself.
     pub is_of_motion: bool,
 }
 
-/// The name, motion, parameters, inputs, outputs and keys of a description, and how many loads it
-/// has.
+/// The name, motion, parameters, inputs, outputs and keys of a description, and the number of its
+/// loads.
 pub struct Outline {
     pub name: Ident,
-    /// The scalar that the body is generic over; none of a body of `f64`.
+    /// The scalar over which the body is generic; none for a body of `f64`.
     pub scalar: Option<Ident>,
     /// The path of the runtime crate.
     pub runtime: TokenStream,
     pub doc: Vec<String>,
     pub motion: Motion,
-    /// It is a system, and not a body alone.
+    /// It is a system, not a single body.
     pub is_system: bool,
-    /// Of a system: its bodies.
+    /// For a system: its bodies.
     pub bodies: Vec<Ident>,
-    /// Of a system: its joints that move, each a field of its state.
+    /// For a system: its moving joints, each a field of its state.
     pub joints: Vec<Jointed>,
-    /// Of a system: the joints that hold what they carry, in some direction.
+    /// For a system: the joints that hold the carried body in some direction.
     pub holding: Vec<Ident>,
-    /// Of a system: the joints whose reactions are asked for, if not all.
+    /// For a system: the joints whose reactions are requested, if not all.
     pub held: Option<Vec<Ident>>,
-    /// Of a system: the loads of written constraints, `pin_x` of the first component of `pin`; where
-    /// something is wrong, all that there may be.
+    /// For a system: the loads of written constraints, `pin_x` for the first component of `pin`; if
+    /// there are errors, all possible ones.
     pub kept: Vec<Ident>,
-    /// Of a system: the points whose Jacobians are asked for, each `body_point`.
+    /// For a system: the points whose Jacobians are requested, each `body_point`.
     pub points: Vec<Ident>,
-    /// Of a system: the drives of joints whose motion is prescribed, by joint and as reactions.
+    /// For a system: the drives of joints with prescribed motion, by joint and as reactions.
     pub driving: Vec<(Ident, Ident)>,
-    /// Constants and functions of the Rust of the user, which are known once it is built.
+    /// Rust constants and functions of the user, which are known once the body is built.
     pub foreign: Vec<Ident>,
     pub params: Vec<Declared>,
     pub inputs: Vec<Declared>,
-    /// States of its own, each a field of its state.
+    /// User-defined states, each a field of its state.
     pub states: Vec<Declared>,
     pub outputs: Vec<Asked>,
     /// Loads with unknown components, by name.
     pub reactions: Vec<(Ident, LoadKind)>,
     /// Drives with unknown components, by name.
     pub drives: Vec<(Ident, LoadKind)>,
-    /// One of them has a direction that turns against the body, as far as its words say.
+    /// One of them has a direction that rotates relative to the body, as far as its words show.
     pub has_turning_drive: bool,
     /// Whether the motion is under constraints.
     pub is_constrained: bool,
     /// Number of given loads.
     pub loads: usize,
     pub keys: Vec<Ident>,
-    /// Of a system: those in the braces of its bodies.
+    /// For a system: those in the braces of its bodies.
     pub body_keys: Vec<Ident>,
-    /// Of a system: its open drives, by name.
+    /// For a system: its open drives, by name.
     pub open: Vec<Ident>,
     /// Names that nothing in the description refers to.
     pub unused: Vec<Ident>,
 }
 
-/// A joint that moves.
+/// A moving joint.
 pub struct Jointed {
     pub name: Ident,
     pub shape: &'static Shape,
-    /// The frame of the body that it carries, once it is known.
+    /// The frame of the carried body, once it is known.
     pub frame: Option<Frame>,
 }
 
 impl Outline {
-    /// Whether the reactions of a joint are asked for.
+    /// Whether the reactions of a joint are requested.
     pub fn is_held(&self, joint: &Ident) -> bool {
         let held = self.held.as_ref();
         held.is_none_or(|held| held.contains(joint))
     }
 
-    /// Whether there are reactions at all, asked for or not.
+    /// Whether there are reactions, requested or not.
     pub fn has_reactions(&self) -> bool {
         let of_system = !self.holding.is_empty() || !self.kept.is_empty();
         of_system || !self.reactions.is_empty()
     }
 
-    /// Of a system: how many accelerations it has.
+    /// For a system: the number of its accelerations.
     pub fn freedoms(&self) -> usize {
         let second = self.joints.iter().flat_map(|joint| joint.shape.second);
         second.map(|field| field.names.len()).sum()
     }
 
-    /// The coordinates of the tangent space of its states: what comes before the rates, joint by
-    /// joint, and then the rates, and states of one's own behind them.
+    /// The coordinates of the tangent space of its states: first the coordinates, joint by
+    /// joint, then the rates, and last the user-defined states.
     pub fn tangent(&self) -> Vec<Group> {
         let [places, rates] = [Shape::places, Shape::rates].map(|of| self.by_shape(of));
         [places, rates, self.own("")].concat()
     }
 
-    /// Its accelerations, in the order of the rates; of a state of one's own its rate.
+    /// Its accelerations, in the order of the rates; for a user-defined state its rate.
     pub fn accelerations(&self) -> Vec<Group> {
         [self.by_shape(Shape::accelerations), self.own("_rate")].concat()
     }
@@ -122,7 +122,7 @@ impl Outline {
         groups.collect()
     }
 
-    /// Its state is a struct of its own, with a field for each part.
+    /// Its state is a generated struct with a field for each part.
     pub fn has_parts(&self) -> bool {
         self.is_system || !self.states.is_empty()
     }
@@ -134,7 +134,7 @@ impl Outline {
         let alone =
             (!self.is_system).then(|| (Ident::new("motion", self.name.span()), self.motion.shape));
         let states = self.states.iter().map(|state| (state.name.clone(), &OWN));
-        // what is there twice was reported
+        // duplicates are reported
         let mut seen = HashSet::new();
         let all = alone.into_iter().chain(joints).chain(states);
         all.filter(|(name, _)| seen.insert(name.clone())).collect()
@@ -150,7 +150,8 @@ impl Outline {
             .collect()
     }
 
-    /// The fields of the state that are the motion's, part by part: of which frame, and of which joint.
+    /// The fields of the state that belong to the motion, part by part, with their frames and
+    /// joints.
     fn fields(&self) -> Vec<(Option<Frame>, String, &'static Field)> {
         let alone = (!self.is_system).then_some(self.motion.shape.fields);
         let alone = alone.into_iter().flatten();
@@ -173,7 +174,7 @@ impl Outline {
         motion.chain(own).collect()
     }
 
-    /// Which of these a symbol stands for.
+    /// The index among these for which a symbol stands.
     pub fn number_of_state(&self, meaning: Meaning) -> Option<usize> {
         let mut first = 0;
         for (frame, _, field) in self.fields() {
@@ -192,7 +193,7 @@ impl Outline {
         }
     }
 
-    /// The names of the numbers of an input, and what each stands for.
+    /// The names of the numbers of an input, and their meanings.
     pub fn numbers_of_input(&self) -> Vec<(String, Meaning)> {
         let inputs = self.inputs.iter().enumerate();
         let numbers = inputs.flat_map(|(index, input)| {
@@ -212,22 +213,22 @@ impl Outline {
         self.is_system && self.joints.is_empty() && self.states.is_empty()
     }
 
-    /// The place of an output among those that are asked for.
+    /// The rank of an output among the requested ones.
     pub fn rank(&self, word: &str) -> Option<usize> {
         self.outputs.iter().position(|asked| asked.word == word)
     }
 
-    /// Where an output is asked for.
+    /// The place where an output is requested.
     pub fn place(&self, word: &str) -> Option<Extent> {
         Some(self.outputs[self.rank(word)?].place)
     }
 
-    /// Whether anything in it is known only once it is built, whatever its parameters are.
+    /// Whether anything in it is known only once it is built, whatever its parameters.
     pub fn is_foreign(&self) -> bool {
         !self.foreign.is_empty()
     }
 
-    /// Whether there is anything to be built from.
+    /// Whether it has parameters or constants to be built from.
     pub fn is_built(&self) -> bool {
         self.is_foreign() || !self.params.is_empty()
     }
@@ -246,13 +247,13 @@ impl Outline {
 /// A parameter or an input.
 pub struct Declared {
     pub name: Ident,
-    /// Whether it is a vector, and in which axes its components are written.
+    /// The axes of the components of a vector; none for a scalar.
     pub frame: Option<FrameWord>,
     pub dimension: Dimension,
-    /// The unit as it was written, if it is one of SI.
+    /// The unit as written, if it is an SI unit.
     pub unit: Option<Unit>,
-    /// Of an input: whether it is given with its rate and acceleration, and which derivative it is
-    /// itself.
+    /// For an input: whether it is given with its rate and acceleration; also which derivative it
+    /// is itself.
     pub moves: bool,
     pub order: usize,
     /// Default of a parameter, one number for each component.
@@ -260,7 +261,7 @@ pub struct Declared {
 }
 
 impl Declared {
-    /// Its unit, in the words of the description if it has any.
+    /// Its unit, in the words of the description if it has one.
     pub fn shown_unit(&self) -> String {
         let unit = self.unit.as_ref();
         unit.map_or_else(|| self.dimension.to_string(), Unit::to_string)
@@ -276,7 +277,7 @@ impl Declared {
         )
     }
 
-    /// How many derivatives of it are given.
+    /// The number of given derivatives.
     pub fn derivatives(&self) -> usize {
         if self.moves {
             2

@@ -25,8 +25,8 @@ pub fn is_flat(j: &Matrix) -> bool {
     determinant(&|i, k| second_moment(j, i, k)).is_zero()
 }
 
-/// Of a possible tensor, the least principal moment over the largest, where it is small: the others
-/// are then equal, half of the trace each.
+/// For a possible tensor, the least principal moment over the largest, where it is small: the
+/// others are then equal, half of the trace each.
 pub fn least_moment(j: &Matrix) -> Number {
     let half = Number::ratio(1, 2);
     let largest = half * (j[0][0].clone() + j[1][1].clone() + j[2][2].clone());
@@ -34,13 +34,14 @@ pub fn least_moment(j: &Matrix) -> Number {
     product / (largest.clone() * largest.clone() * largest)
 }
 
-/// The ratio of moments of inertia below which a body is a rod: of the 16 digits of a moment about
-/// its axis, less than 7 are left.
+/// The ratio of moments of inertia below which a body is a rod: fewer than 7 of the 16 digits of a
+/// moment about its axis remain.
 pub fn thinnest() -> Number {
     Number::power_of_ten(-9)
 }
 
-/// A ratio of moments of inertia that doubles do not tell from zero: twice what `new` refuses.
+/// A ratio of moments of inertia that doubles do not distinguish from zero: twice what `new`
+/// refuses.
 pub fn vanishing() -> Number {
     Number::ratio(1, 1 << 47)
 }
@@ -50,13 +51,13 @@ pub fn determinant(m: &impl Fn(usize, usize) -> Number) -> Number {
     m(0, 0) * minor(1, 2) - m(0, 1) * minor(0, 2) + m(0, 2) * minor(0, 1)
 }
 
-/// Whether rounded entries, in the order xx, yy, zz, xy, yz, zx, or the one of a planar body, are
-/// still those of a body that can turn about every axis.
+/// Whether rounded entries, in the order xx, yy, zz, xy, yz, zx, or that of a planar body, are
+/// still those of a body that can rotate about every axis.
 pub fn is_possible(entries: &[f64]) -> bool {
     let [xx, yy, zz, xy, yz, zx] = *entries else {
         return entries.iter().all(|moment| *moment > 0.0);
     };
-    // more on the diagonal makes room in the triangle inequality of every frame
+    // a larger diagonal relaxes the triangle inequality in every frame
     let slack = SLACK * f64::EPSILON * (xx + yy + zz);
     let rows = |slack: f64| {
         let rows = [
@@ -81,7 +82,7 @@ pub struct Violation {
 
 impl Violation {
     /// The first violated condition, from the simplest to the most general; the last is that no
-    /// moment is lost beside the others.
+    /// moment is lost in the rounding of the others.
     pub fn find(j: &Matrix) -> Option<Self> {
         let lost = || {
             (least_moment(j) <= vanishing()).then(|| Self {
@@ -94,7 +95,7 @@ impl Violation {
         Self::impossible(j).or_else(lost)
     }
 
-    /// The first condition that no body violates.
+    /// The first violated condition on possible bodies.
     pub fn impossible(j: &Matrix) -> Option<Self> {
         for (i, axis) in AXES.iter().enumerate() {
             if !j[i][i].is_positive() {

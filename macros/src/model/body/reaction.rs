@@ -1,4 +1,4 @@
-//! A load of which some components are not known.
+//! A load with unknown components.
 
 use proc_macro2::Ident;
 
@@ -9,21 +9,21 @@ use crate::model::kinematics::{Point, Vector, Workspace};
 use crate::model::words::{AXES, Frame};
 use crate::symbolic::Components;
 
-/// A load of which some components are not known.
+/// A load with unknown components.
 #[derive(Clone)]
 pub struct Reaction {
     pub name: Ident,
     pub kind: LoadKind,
     pub point: Point,
-    /// The axes in which its components are written.
+    /// The axes of its components.
     pub frame: Frame,
-    /// What is known; zero where it is not.
+    /// The known components, with zeros for the others.
     pub known: Components,
     /// The unknown components: their axes, and their places.
     pub unknown: Vec<(usize, Extent)>,
     /// The direction of `_ * direction`: one unknown, whatever the axes.
     pub along: Option<Vector>,
-    /// The whole of it, given from outside, world axes.
+    /// The whole load, given from outside, world axes.
     pub symbols: Vector,
 }
 
@@ -39,7 +39,7 @@ impl Reaction {
         self.along.unwrap_or_else(|| work.vector(frame, unit))
     }
 
-    /// What a component is called: `normal` of one unknown, `pin.x` of one of several.
+    /// The name of a component: `normal` for a single unknown, `pin.x` for one of several.
     pub fn component_name(&self, motion: Motion, axis: usize) -> String {
         if self.along.is_some() || motion.axes_of(self.kind).len() == 1 {
             self.name.to_string()

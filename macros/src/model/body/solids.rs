@@ -1,20 +1,20 @@
-//! Solids about their centers of mass, by what they are measured by.
+//! Solids about their centers of mass, by their lengths.
 
 use proc_macro2::Ident;
 
 /// A solid about its center of mass, in its principal axes; z is the axis of symmetry.
 pub struct Solid {
     pub word: &'static str,
-    /// What it is measured by.
+    /// Its lengths.
     pub lengths: &'static [&'static str],
-    /// For the moments about x, y and z: what the square of each length is multiplied with, per
+    /// For the moments about x, y and z: the factors of the square of each length, per
     /// mass.
     pub moments: [&'static [(i64, u64)]; 3],
-    /// The length that is smaller than the other, and why.
+    /// The length that must be smaller than another, and why.
     pub smaller: Option<(usize, usize, &'static str)>,
 }
 
-/// Thickness is zero where it is not asked for.
+/// Solids without a thickness argument are thin.
 pub const SOLIDS: [Solid; 10] = [
     Solid {
         word: "cuboid",

@@ -1,4 +1,4 @@
-//! What a body is made of, for what is checked of it.
+//! Mass and inertia of a body, for checks.
 
 use crate::symbolic::Id;
 
@@ -6,7 +6,7 @@ use super::inertia::Inertia;
 
 /// Mass and inertia of a body, as far as they are known.
 pub struct Substance {
-    /// What a body of a system is called.
+    /// The name of a body of a system.
     pub name: Option<String>,
     pub mass: Option<Id>,
     pub inertia: Inertia,

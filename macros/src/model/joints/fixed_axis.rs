@@ -1,4 +1,4 @@
-//! A body that turns about an axis through a point of it.
+//! A body that rotates about an axis through one of its points.
 
 use super::joint::{Center, Joint, Orientation};
 use super::shape::HINGE;

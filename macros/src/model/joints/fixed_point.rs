@@ -1,4 +1,4 @@
-//! A body that turns about a point of it.
+//! A body that rotates about one of its points.
 
 use super::joint::{Center, Joint, Orientation};
 use super::shape::BALL;

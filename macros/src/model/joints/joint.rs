@@ -1,4 +1,4 @@
-//! What a joint to the ground is: all that the compiler asks of a kind of motion.
+//! A joint to the ground: everything that the compiler needs to know about a kind of motion.
 
 use core::ops::Range;
 
@@ -15,33 +15,33 @@ pub struct Joint {
     pub is_planar: bool,
     pub center: Center,
     pub orientation: Orientation,
-    /// Its state, as the runtime has it.
+    /// Its state, in the runtime's types.
     pub shape: &'static Shape,
-    /// The balances that it leaves out, and why.
+    /// The balances that it omits, and why.
     pub missing: Option<&'static str>,
 }
 
-/// How G moves.
+/// The motion of G.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Center {
-    /// It has coordinates of its own.
+    /// It has its own coordinates.
     Free,
-    /// With the body, of which a point is held in space.
+    /// It follows from the body, one point of which is held in space.
     Held,
-    /// That is not looked at, and where it is, is not known.
+    /// It is not modelled, and its place is unknown.
     Unmodelled,
 }
 
-/// What tells how a body is turned.
+/// The kind of a body's attitude.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Orientation {
-    /// It does not turn.
+    /// It does not rotate.
     Fixed,
     /// An angle, about one axis.
     Angle,
     /// A quaternion.
     Quaternion,
-    /// The direction of its axis; how it is turned about it, is not known.
+    /// The direction of its axis; the rotation about it is not known.
     Line,
 }
 
@@ -54,7 +54,7 @@ impl PartialEq for Joint {
 impl Eq for Joint {}
 
 impl Joint {
-    /// G has coordinates of its own.
+    /// G has its own coordinates.
     pub fn translates(&self) -> bool {
         self.center == Center::Free
     }
@@ -64,7 +64,7 @@ impl Joint {
         self.center == Center::Held
     }
 
-    /// Where G is, is known.
+    /// The position of G is known.
     pub fn knows_position(&self) -> bool {
         match self.center {
             Center::Free | Center::Held => true,
@@ -72,17 +72,17 @@ impl Joint {
         }
     }
 
-    /// The body turns.
+    /// The body rotates.
     pub fn has_attitude(&self) -> bool {
         self.orientation != Orientation::Fixed
     }
 
-    /// One angle tells how it is turned.
+    /// One angle gives the attitude.
     pub fn has_angle(&self) -> bool {
         self.orientation == Orientation::Angle
     }
 
-    /// It turns about an axis that is held.
+    /// It rotates about a held axis.
     pub fn is_hinged(&self) -> bool {
         self.is_supported() && self.has_angle()
     }
@@ -92,7 +92,7 @@ impl Joint {
         self.is_hinged() && !self.is_planar
     }
 
-    /// Of the attitude there is the axis alone.
+    /// The attitude is the axis alone.
     pub fn is_line(&self) -> bool {
         self.orientation == Orientation::Line
     }
@@ -123,8 +123,8 @@ impl Joint {
         }
     }
 
-    /// The components of an angular acceleration, or of that of the axis of a rod; about a hinge,
-    /// that along its axis stands in the place of z.
+    /// The components of an angular acceleration, or of that of the axis of a rod; for a hinge,
+    /// the component along its axis takes the place of z.
     pub fn angular_axes(&self) -> Range<usize> {
         match self.orientation {
             Orientation::Fixed => 0..0,

@@ -1,4 +1,4 @@
-//! The joints to the ground, a file each.
+//! The joints to the ground, one file each.
 
 mod fixed_axis;
 mod fixed_point;
@@ -29,7 +29,7 @@ pub use spatial::SPATIAL;
 pub use tangent::Group;
 pub use translation::TRANSLATION;
 
-/// A kind of motion: how a body is joined to the ground.
+/// A kind of motion: the joint of a body to the ground.
 pub type Motion = &'static Joint;
 
 /// All of them, in the order in which messages list them.

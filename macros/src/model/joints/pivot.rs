@@ -1,4 +1,4 @@
-//! A body in the plane that turns about a point of it.
+//! A planar body that rotates about one of its points.
 
 use super::joint::{Center, Joint, Orientation};
 use super::shape::HINGE;

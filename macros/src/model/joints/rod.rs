@@ -1,4 +1,4 @@
-//! A thin straight body, of whose attitude there is the axis alone.
+//! A thin straight body, whose attitude is its axis alone.
 
 use super::joint::{Center, Joint, Orientation};
 use super::shape::LINE;

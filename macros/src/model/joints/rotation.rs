@@ -1,4 +1,4 @@
-//! A body that turns about G; the motion of G is not looked at.
+//! A body that rotates about G; the motion of G is not modelled.
 
 use super::joint::{Center, Joint, Orientation};
 use super::shape::BALL;

@@ -1,28 +1,28 @@
-//! The states of joints: which coordinates they have, and where the runtime has them.
+//! The states of joints: their coordinates, and the runtime's fields for them.
 
 use crate::model::words::{Meaning, Variable};
 use crate::symbolic::Id;
 
-/// The state of a joint, as the runtime has it.
+/// The state of a joint, in the runtime's types.
 #[derive(Debug)]
 pub struct Shape {
     /// The runtime's type.
     pub state: &'static str,
-    /// The runtime's type of its acceleration; none: a scalar or a vector.
+    /// The runtime's type of its acceleration; none for a scalar or a vector.
     pub acceleration: Option<&'static str>,
     pub fields: &'static [Field],
-    /// The accelerations, by the fields that hold them.
+    /// The accelerations, by their fields.
     pub second: &'static [Field],
 }
 
-/// A scalar or a vector of a state: where it is, and what its components are called.
+/// A scalar or a vector of a state: its place, and the names of its components.
 #[derive(Debug)]
 pub struct Field {
-    /// Behind the state; empty: the whole.
+    /// The path after the state; empty for the whole state.
     pub path: &'static str,
     pub names: &'static [&'static str],
     pub variable: Variable,
-    /// The number of its first component.
+    /// The index of its first component.
     pub first: usize,
 }
 
@@ -187,7 +187,7 @@ pub const LINE: Shape = Shape {
     ],
 };
 
-/// A state of one's own, which has a rate, and no place before it.
+/// A user-defined state, which has a rate but no coordinate.
 pub const OWN: Shape = Shape {
     state: "Real",
     acceleration: None,
@@ -227,7 +227,8 @@ impl Shape {
 }
 
 impl Field {
-    /// Which component of it a symbol is, if it is one; a quaternion has its scalar last.
+    /// The index of the component for which a symbol stands, if there is one; a quaternion has its
+    /// scalar last.
     pub fn component(&self, meaning: Meaning) -> Option<usize> {
         let Meaning::Of(_, variable, part) = meaning else {
             return None;

@@ -1,25 +1,25 @@
-//! The tangent space of states: what a motion changes by.
+//! The tangent space of states: changes of a motion.
 
 use crate::model::words::Variable;
 
 use super::shape::{Field, Shape};
 
-/// Coordinates of the tangent space that belong together; or accelerations.
+/// A group of coordinates of the tangent space, or of accelerations.
 #[derive(Clone, Debug)]
 pub struct Group {
-    /// Of a system, the number of the joint in its state.
+    /// For a system, the index of the joint in its state.
     pub joint: usize,
     pub name: String,
-    /// An attitude is turned by small angles about the axes of what is turned: its variable is the
+    /// An attitude changes by small angles about the axes of the rotated body: its variable is the
     /// quaternion, and it has three components.
     pub variable: Variable,
-    /// The number of the first component.
+    /// The index of the first component.
     pub first: usize,
     pub size: usize,
 }
 
 impl Shape {
-    /// What comes before the rates.
+    /// The coordinates that precede the rates.
     pub fn places(&self, joint: usize, prefix: &str) -> Vec<Group> {
         self.groups(joint, prefix, |variable| !variable.is_rate())
     }

@@ -1,4 +1,4 @@
-//! A body that moves and does not turn.
+//! A body that moves and does not rotate.
 
 use super::joint::{Center, Joint, Orientation};
 use super::shape::SHIFT;

@@ -1,9 +1,9 @@
 //! The algebra of physical vectors: each is one object, whatever axes it was written in.
 //!
 //! A [`Vector`] is the sum of parts, each with components in one frame. Sums stay in the axes they
-//! were written in; only where components are read, or where parts in different frames are
-//! multiplied, some are turned. So all forces that are fixed in a body are added before the one
-//! rotation, and the difference of two points of a body knows nothing of where the body is
+//! were written in. Parts are rotated only where components are read, or where parts in different
+//! frames are multiplied. So all forces fixed in a body are added before a single
+//! rotation, and the difference of two points of a body does not depend on the place of the body
 //! (`docs/trust.md`, H9).
 
 use std::collections::BTreeSet;
@@ -25,7 +25,7 @@ impl Workspace {
         self.vectors.add(parts)
     }
 
-    /// The parts that are not zero, those in bodies first.
+    /// The nonzero parts, those in bodies first.
     pub fn parts(&self, a: Vector) -> &[Part] {
         self.vectors.parts(a)
     }
@@ -42,7 +42,7 @@ impl Workspace {
         self.parts(a).iter().all(|(of, _)| *of == frame)
     }
 
-    /// Those in which there are parts.
+    /// The frames of the parts.
     fn frames(&self, vectors: &[Vector]) -> BTreeSet<Frame> {
         let parts = vectors.iter().flat_map(|vector| self.parts(*vector));
         parts.map(|(frame, _)| *frame).collect()
@@ -54,7 +54,7 @@ impl Workspace {
         parts.flat_map(|(_, part)| *part).collect()
     }
 
-    /// What becomes of a vector as each part changes in its own axes.
+    /// The vector with each part changed in its own axes.
     pub fn map(
         &mut self,
         a: Vector,
@@ -63,7 +63,7 @@ impl Workspace {
         self.combine(&[a], |graph, parts| change(graph, parts[0]))
     }
 
-    /// A vector made of several, frame by frame.
+    /// Combines several vectors frame by frame.
     pub fn combine(
         &mut self,
         vectors: &[Vector],
@@ -99,7 +99,7 @@ impl Workspace {
         self.map(a, |graph, part| graph.scale_vector(factor, part))
     }
 
-    /// Components in one frame; the parts written in others are turned.
+    /// Components in one frame; parts in other frames are rotated.
     pub fn components(&mut self, a: Vector, frame: Frame) -> Components {
         let turned = self.turned_parts(a, frame, |from| from != frame);
         let components = self.graph.add_vectors(turned, self.part(a, frame));
@@ -108,8 +108,8 @@ impl Workspace {
         components
     }
 
-    /// Components in the frame of the part there is; of several, in body axes, where nobody chose
-    /// others.
+    /// Components in the frame of the single part; for several parts, in body axes, where the
+    /// choice is free.
     fn in_one_frame(&mut self, a: Vector) -> Components {
         let frame = match *self.parts(a) {
             [] => Frame::WORLD,
@@ -119,7 +119,7 @@ impl Workspace {
         self.components(a, frame)
     }
 
-    /// `a x b`, in each frame of what is written there, with each other and with what is turned.
+    /// `a x b`, in each frame: the parts written there with each other and with rotated ones.
     pub fn cross(&mut self, a: Vector, b: Vector) -> Vector {
         let mut whole = Vector::ZERO;
         for frame in self.frames(&[a, b]) {
@@ -142,13 +142,13 @@ impl Workspace {
         whole
     }
 
-    /// What of `a` is written nearer to the ground, in this frame, where `other` calls for it.
+    /// The part of `a` written nearer to the ground, in this frame, if `other` requires it.
     fn turned_for(&mut self, other: Components, a: Vector, frame: Frame) -> Components {
         let is_needed = !self.graph.is_zero_vector(&other);
         self.turned_parts(a, frame, |from| is_needed && from < frame)
     }
 
-    /// The parts of some frames, turned into this one.
+    /// The parts of some frames, rotated into this one.
     fn turned_parts(
         &mut self,
         a: Vector,

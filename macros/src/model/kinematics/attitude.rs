@@ -1,4 +1,4 @@
-//! How the frame of a body is turned against the world.
+//! The attitude of the frame of a body relative to the world.
 
 use crate::symbolic::{Components, Id};
 
@@ -11,8 +11,8 @@ pub enum Attitude {
     Axis { angle: Id, direction: Components },
     /// A unit quaternion.
     Quaternion { scalar: Id, vector: Components },
-    /// That of a rod: one direction of the body, a unit vector in body axes, is along `axis`, in
-    /// world axes. No other axes turn with it: all components are written in those of the world.
+    /// The attitude of a rod: one direction of the body, a unit vector in body axes, is along
+    /// `axis`, in world axes. No other axes rotate with it: all components are in world axes.
     Line {
         direction: Components,
         axis: Components,
@@ -20,7 +20,7 @@ pub enum Attitude {
 }
 
 impl Attitude {
-    /// What of it changes as the body turns.
+    /// The expressions that change as the body rotates.
     pub fn coordinates(self) -> Vec<Id> {
         match self {
             Self::Fixed => Vec::new(),

@@ -1,4 +1,4 @@
-//! Vectors of a rod: they are known along its axis alone.
+//! Vectors of a rod, which are known along its axis only.
 
 use crate::model::words::Frame;
 use crate::symbolic::Components;
@@ -8,7 +8,7 @@ use super::vector::Vector;
 use super::workspace::Workspace;
 
 impl Workspace {
-    /// A vector that is fixed in the body, from its components in body axes.
+    /// A vector fixed in the body, from its components in body axes.
     pub fn fixed_in(&mut self, body: Frame, components: Components) -> Vector {
         let Attitude::Line { direction, axis } = self.attitude(body) else {
             return self.vector(body, components);
@@ -18,7 +18,7 @@ impl Workspace {
         self.vector(Frame::WORLD, world)
     }
 
-    /// Remembers a product with the axis of a rod.
+    /// Records a product with the axis of a rod.
     pub fn note_swept(&mut self, a: Components, b: Components, product: Components) {
         let is_axis = |v: Components| {
             let mut attitudes = self.attitudes.iter();

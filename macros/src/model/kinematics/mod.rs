@@ -1,5 +1,5 @@
-//! Frames, vectors in them, the state of a body and how it moves; and the workspace that they are
-//! worked out in.
+//! Frames, vectors in them, the state of a body and its motion; and the workspace for all of
+//! them.
 
 mod algebra;
 mod attitude;

@@ -1,18 +1,18 @@
-//! States of one's own: scalars that are integrated beside the motion.
+//! User-defined states: scalars that are integrated with the motion.
 
 use crate::symbolic::{Coordinate, Id};
 
-/// A state, and what it changes by.
+/// A state, and its rate.
 #[derive(Clone)]
 pub struct Own {
     pub name: String,
     pub symbol: Id,
-    /// Per second: of the state, inputs and time.
+    /// Its time derivative, a function of the state, inputs and time.
     pub rate: Id,
 }
 
 impl Own {
-    /// It, as a coordinate of the motion.
+    /// The state as a coordinate of the motion.
     pub fn coordinate(&self) -> Coordinate {
         Coordinate {
             symbol: self.symbol,
@@ -20,7 +20,7 @@ impl Own {
         }
     }
 
-    /// Its rate, by its name.
+    /// Its rate, with its name.
     pub fn named_rate(&self) -> (String, Vec<Id>) {
         (format!("{}_rate", self.name), vec![self.rate])
     }

@@ -8,14 +8,14 @@ use super::vector::Vector;
 /// A point, in metres.
 #[derive(Clone, Copy, Debug)]
 pub enum Point {
-    /// Fixed in a frame: where it is from its origin, which of a body is G.
+    /// Fixed in a frame: its offset from the origin, which is G for a body.
     Fixed(Frame, Components),
-    /// Where it is from G changes: the matter of the body that is there, such as that in contact.
+    /// Its offset from G changes: the matter of the body at a place, such as a contact.
     Moving(Vector),
 }
 
 impl Point {
-    /// Where it is from G, if it is fixed in this body.
+    /// Its offset from G, if it is fixed in this body.
     pub fn offset(self, body: Frame) -> Option<Components> {
         match self {
             Self::Fixed(frame, offset) if frame == body => Some(offset),
@@ -23,7 +23,7 @@ impl Point {
         }
     }
 
-    /// Why this is no point of the body, for messages.
+    /// The reason why it is not a point of the body, for messages.
     pub fn where_else(self) -> &'static str {
         match self {
             Self::Fixed(Frame::WORLD, _) => "fixed in space",

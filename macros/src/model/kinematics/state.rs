@@ -1,4 +1,4 @@
-//! The state of a body, in symbols, and what holds it.
+//! The state of a body, in symbols, and its support.
 
 use std::ops::Range;
 
@@ -11,32 +11,32 @@ use super::point::Point;
 use super::vector::Vector;
 use super::workspace::Workspace;
 
-/// The state of a body, in symbols. What a motion does not have is zero.
+/// The state of a body, in symbols. Quantities that a motion lacks are zero.
 #[derive(Clone, Copy)]
 pub struct State {
-    /// The frame of the body, by which it is known.
+    /// The frame of the body, which identifies it.
     pub body: Frame,
-    /// Where its turning is written: its own axes; those of the world if no axes turn with it.
+    /// The axes of its rotation: its own axes, or those of the world if no axes rotate with it.
     pub axes: Frame,
     pub time: Id,
     /// Position, velocity and acceleration of G.
     pub position: Vector,
     pub velocity: Vector,
     pub acceleration: Vector,
-    /// In these axes; of a rod, `u x u'` and `u x u''`.
+    /// In these axes; for a rod, `u x u'` and `u x u''`.
     pub angular_velocity: Components,
     pub angular_acceleration: Components,
-    /// The angle of a body that turns about one axis, and its rate.
+    /// The angle of a body that rotates about one axis, and its rate.
     pub angle: Option<(Id, Id)>,
-    /// What a rod has instead of an attitude.
+    /// The axis that a rod has instead of an attitude.
     pub axis: Option<Axis>,
-    /// What holds the body, once it is read.
+    /// The support of the body, once it is read.
     pub support: Option<Support>,
 }
 
 impl State {
-    /// Where a point is. The difference of two points of the body does not depend on where the
-    /// body is, however far that is (`docs/trust.md`, H9).
+    /// The position of a point. The difference of two points of the body does not depend on the
+    /// place of the body, however far it is (`docs/trust.md`, H9).
     pub fn place(&self, work: &mut Workspace, point: Point) -> Vector {
         match point {
             Point::Fixed(Frame::WORLD, position) => work.vector(Frame::WORLD, position),
@@ -48,7 +48,7 @@ impl State {
         }
     }
 
-    /// The velocity of a point of the body at this offset, less that of G.
+    /// The velocity of a point of the body at this offset, minus that of G.
     pub fn swept(&self, work: &mut Workspace, offset: Components) -> Vector {
         if let (Attitude::Line { direction, .. }, Some(axis)) =
             (work.attitude(self.body), self.axis)
@@ -61,12 +61,12 @@ impl State {
         work.vector(self.body, swept)
     }
 
-    /// The angular velocity; of a rod u', which is as long.
+    /// The angular velocity; for a rod u', which has the same length.
     pub fn turn_rate(&self) -> Components {
         self.axis.map_or(self.angular_velocity, |axis| axis.rate)
     }
 
-    /// The point about which the moments are balanced: that which is held, or G.
+    /// The point of the moment balance: the held point, or G.
     pub fn center(&self, work: &Workspace) -> Point {
         let held = self.support.map(|support| support.offset);
         held.map_or(self.mass_center(work), |offset| {
@@ -79,7 +79,7 @@ impl State {
         Point::Fixed(self.body, work.graph.zeros())
     }
 
-    /// The frame that a description means.
+    /// The frame of a word in a description.
     pub fn frame(&self, word: FrameWord) -> Frame {
         match word {
             FrameWord::World => Frame::WORLD,
@@ -87,7 +87,7 @@ impl State {
         }
     }
 
-    /// Holds a point of the body: G moves as the body turns about it.
+    /// Holds a point of the body: G moves as the body rotates about it.
     pub fn hold(&mut self, work: &mut Workspace, support: Support) {
         if let (Some(direction), Attitude::Axis { angle, .. }) =
             (support.direction, work.attitude(self.body))
@@ -128,20 +128,21 @@ pub struct Axis {
     pub rate: Components,
 }
 
-/// A point of the body that is held in space.
+/// A point of the body, held in space.
 #[derive(Clone, Copy, Debug)]
 pub struct Support {
     /// Its offset from G, body axes.
     pub offset: Components,
-    /// Where it is held, world axes.
+    /// The point in space, world axes.
     pub anchor: Components,
-    /// The axis about which the body turns, a unit vector, the same in both axes; none about a
+    /// The axis of rotation, a unit vector, the same in both axes; none about a
     /// point.
     pub direction: Option<Components>,
 }
 
-/// The frame of a body, the symbols of its state and the attitude that they make. What a support adds comes with
-/// [`State::hold`]: until then the axis of a hinge is z. That of a rod comes with its direction.
+/// The frame of a body, the symbols of its state and the attitude given by them. A support is added
+/// with [`State::hold`]: until then the axis of a hinge is z. The axis of a rod comes with its
+/// direction.
 pub fn state_symbols(motion: Motion, work: &mut Workspace) -> State {
     let body = work.new_frame(Frame::WORLD);
     let linear = motion.linear_axes();
@@ -186,7 +187,7 @@ pub fn state_symbols(motion: Motion, work: &mut Workspace) -> State {
     }
 }
 
-/// Gives a frame the attitude that its symbols make; returns the angle, if it is one.
+/// Gives a frame the attitude of its symbols; returns the angle, if there is one.
 fn attitude_symbols(orientation: Orientation, body: Frame, work: &mut Workspace) -> Option<Id> {
     let mut symbol = |variable: Variable, part: usize| {
         work.symbol(Stage::State, Meaning::Of(body, variable, part))

@@ -1,4 +1,4 @@
-//! What a description is worked out in.
+//! The workspace of a description.
 
 use crate::model::words::{
     Doubtful, ForeignConstant, ForeignFunction, Frame, Labels, Meaning, Meanings, Variable,
@@ -11,34 +11,34 @@ use super::attitude::Attitude;
 use super::turned_vector::{Turn, Turns};
 use super::vector::Vectors;
 
-/// What a description is worked out in: its graph, its vectors in their frames, and
-/// the words for what is in it. Lowering begins it, mechanics goes on in it.
+/// The workspace of a description: its graph, its vectors in their frames, and
+/// the words for its content. Lowering creates it, and mechanics continues with it.
 #[derive(Default)]
 pub struct Workspace {
     pub graph: Graph,
     pub labels: Labels,
     pub meanings: Meanings,
-    /// What stands in the Rust of the user, by the numbers that the graph has of them.
+    /// Rust items of the user, by their numbers in the graph.
     pub constants: Vec<ForeignConstant>,
     pub functions: Vec<ForeignFunction>,
-    /// The files of tables, where they are on this machine.
+    /// The files of tables, by their local paths.
     pub files: Vec<String>,
-    /// Of each frame.
+    /// The attitude of each frame.
     pub(super) attitudes: Vec<Attitude>,
-    /// The frame that each is turned against.
+    /// The carrier of each frame.
     carriers: Vec<Frame>,
-    /// The frame that each is a copy of, or itself.
+    /// The original of each frame, or itself.
     originals: Vec<Frame>,
     pub(super) vectors: Vectors,
-    /// Turned vectors are kept apart in here, where potentials are read.
+    /// Rotated vectors, kept apart while potentials are read.
     pub turns: Option<Turns>,
-    /// All vectors that were turned otherwise: their rates are known as vectors.
+    /// All other rotated vectors: their rates are known as vectors.
     pub turned: Vec<Turn>,
-    /// Of a rod, products `u x b`, and b; world axes.
+    /// For a rod, products `u x b`, and b; world axes.
     pub swept: Vec<(Components, Components)>,
-    /// A vector was turned between frames that do not turn, or of which that is not known yet.
+    /// A vector was rotated between frames that do not rotate, or may not.
     pub met_still: bool,
-    /// What was written that parameters may leave without a value.
+    /// Expressions of the description that may have no value for some parameters.
     pub doubtful: Vec<Doubtful>,
 }
 
@@ -53,7 +53,7 @@ impl Workspace {
         }
     }
 
-    /// A further frame, which turns against `carrier`; parallel until an attitude is known.
+    /// A new frame, which rotates relative to `carrier`; parallel until an attitude is known.
     pub fn new_frame(&mut self, carrier: Frame) -> Frame {
         self.attitudes.push(Attitude::Fixed);
         self.carriers.push(carrier);
@@ -70,7 +70,7 @@ impl Workspace {
         self.carriers[frame.index()] = carrier;
     }
 
-    /// Of two frames, between which a vector was turned, the one that is carried by the other.
+    /// Of two frames between which a vector was rotated, the carried one.
     pub fn turned_frame(&self, turn: &Turn) -> Frame {
         if self.carrier(turn.from) == turn.to {
             turn.from
@@ -79,7 +79,7 @@ impl Workspace {
         }
     }
 
-    /// All frames that are turned, each against its carrier; no copies.
+    /// All rotating frames, each with its carrier; no copies.
     pub fn turned_frames(&self) -> Vec<Frame> {
         let mut frames = self.originals.clone();
         frames.sort_unstable();
@@ -87,12 +87,12 @@ impl Workspace {
         frames
     }
 
-    /// The frame that this one is a copy of, or itself: what moves are originals.
+    /// The original of this frame, or itself: motions belong to originals.
     pub(super) fn original(&self, frame: Frame) -> Frame {
         self.originals[frame.index()]
     }
 
-    /// Frames that are turned like all that there are, each against the copy of its carrier.
+    /// Copies of all frames with the same attitudes, each relative to the copy of its carrier.
     pub fn copied_frames(&mut self) -> Vec<Frame> {
         let count = self.carriers.len();
         let mut copies = vec![Frame::WORLD];
@@ -108,7 +108,7 @@ impl Workspace {
         copies
     }
 
-    /// The frame after `from` on the way to another one: towards the ground first.
+    /// The frame after `from` on the way to another one: first towards the ground.
     pub(super) fn next_frame(&self, from: Frame, to: Frame) -> Frame {
         let mut below = to;
         while below != Frame::WORLD {
@@ -121,7 +121,7 @@ impl Workspace {
         self.carrier(from)
     }
 
-    /// A new symbol that stands for this, known from `stage` on.
+    /// A new symbol with this meaning, known from `stage` on.
     pub fn symbol(&mut self, stage: Stage, meaning: Meaning) -> Id {
         self.meanings.symbol(&mut self.graph, stage, meaning)
     }
@@ -142,7 +142,7 @@ impl Workspace {
         })
     }
 
-    /// The same, of what is changed by itself and has no name.
+    /// The same, for a quantity that varies separately and has no name.
     pub fn free_symbols(&mut self, axes: Range<usize>) -> Components {
         [0, 1, 2].map(|axis| {
             if axes.contains(&axis) {
@@ -153,13 +153,13 @@ impl Workspace {
         })
     }
 
-    /// The symbol that stands for this, if there is one.
+    /// The symbol with this meaning, if there is one.
     pub fn symbol_of(&self, meaning: Meaning) -> Option<Id> {
         let known = self.meanings.symbol_of(meaning);
         known.map(|symbol| self.graph.symbol_id(symbol))
     }
 
-    /// What a symbol stands for; none if the expression is no symbol.
+    /// The meaning of a symbol; none if the expression is no symbol.
     pub fn meaning(&self, id: Id) -> Option<Meaning> {
         match self.graph.node(id) {
             Node::Symbol(symbol) => Some(self.meanings.of(*symbol)),
@@ -167,8 +167,8 @@ impl Workspace {
         }
     }
 
-    /// Whether expressions depend on the motion or on inputs, and not on time and states of one's own
-    /// alone.
+    /// Whether expressions depend on the motion or on inputs, rather than on time and user-defined
+    /// states alone.
     pub fn follows_motion(&self, roots: &[Id]) -> bool {
         self.graph.depends_on(roots, |id| {
             let is_course = matches!(self.meaning(id), Some(Meaning::Time | Meaning::Own(_)));
@@ -195,7 +195,7 @@ impl Workspace {
         symbols
     }
 
-    /// The rotation of a frame against the world.
+    /// The rotation of a frame relative to the world.
     pub fn attitude(&self, frame: Frame) -> Attitude {
         self.attitudes[frame.index()]
     }

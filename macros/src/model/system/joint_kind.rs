@@ -1,44 +1,45 @@
-//! The kinds of joints of a system, a row each.
+//! The kinds of joints of a system, one row each.
 
 use crate::model::joints::{
     BALL, CYLINDER, FREE, HINGE, PLANE, SHIFT, SHIFT_IN_THE_PLANE, SLIDE, Shape, UNIVERSAL,
 };
 use crate::model::words::Variable;
 
-/// What a joint is made of, from the carrier to what it carries.
+/// The parts of a joint, from the carrier to the carried body.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Part {
-    /// About a direction, by its number.
+    /// Rotation about a direction, by its index.
     Turn(usize),
-    /// Along one.
+    /// Translation along one.
     Slide(usize),
-    /// About and along the first.
+    /// Rotation about and translation along the first.
     Screw,
-    /// In all directions about a point.
+    /// Rotation in all directions about a point.
     Ball,
-    /// In all directions.
+    /// Translation in all directions.
     Free,
 }
 
-/// What the directions of a joint are.
+/// The directions of a joint.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Axes {
-    /// Those that are written, so many.
+    /// The written ones, this many.
     Written(usize),
-    /// One that is written, and two across it.
+    /// A written one, and two perpendicular to it.
     Normal,
-    /// One that is written, and the normal of the plane.
+    /// A written one, and the normal of the plane.
     InThePlane,
-    /// Nothing is written: the axes.
+    /// None is written: the coordinate axes.
     Own,
 }
 
-/// What a joint is written with.
+/// The arguments of a joint.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Holds {
-    /// A point of the carrier and one of what it carries.
+    /// A point of the carrier and one of the carried body.
     Points,
-    /// G of a body alone, on the ground: its coordinates count from the origin of the world.
+    /// The G of a body alone, on the ground: its coordinates are relative to the origin of the
+    /// world.
     Center,
 }
 
@@ -50,9 +51,9 @@ pub struct JointKind {
     pub holds: Holds,
     pub axes: Axes,
     pub parts: &'static [Part],
-    /// Of its state; nothing is known of what does not move.
+    /// The shape of its state; none if it does not move.
     pub shape: Option<&'static Shape>,
-    /// How it is written.
+    /// Its arguments.
     pub form: &'static str,
 }
 
@@ -73,7 +74,7 @@ const WELD: JointKind = JointKind {
     form: "weld(P, Q)",
 };
 
-/// All of space, in the order in which messages list them.
+/// All kinds in space, in the order in which messages list them.
 const JOINTS: [JointKind; 11] = [
     JointKind {
         word: "revolute",
@@ -162,7 +163,7 @@ const fn translation_in_the_plane(word: &'static str, form: &'static str) -> Joi
     }
 }
 
-/// Those of the plane.
+/// The kinds in the plane.
 const PLANE_JOINTS: [JointKind; 7] = [
     JointKind {
         word: "revolute",
@@ -191,12 +192,12 @@ const PLANE_JOINTS: [JointKind; 7] = [
         form: "free(b)",
     },
     translation_in_the_plane("translation", "translation(b)"),
-    // as `motion` of a body alone has it
+    // like `motion` for a single body
     translation_in_the_plane("planar_translation", "planar_translation(b)"),
 ];
 
 impl JointKind {
-    /// Those that there are in the plane, or in space.
+    /// The kinds in the plane, or in space.
     pub fn all(is_planar: bool) -> &'static [Self] {
         if is_planar { &PLANE_JOINTS } else { &JOINTS }
     }
@@ -205,7 +206,7 @@ impl JointKind {
         self.parts == [Part::Free]
     }
 
-    /// In space, its state has the attitude of what it carries against the ground.
+    /// In space, its state has the attitude of the carried body relative to the ground.
     pub fn has_attitude(&self) -> bool {
         self.holds == Holds::Center && matches!(self.parts, [Part::Free | Part::Ball])
     }
@@ -214,7 +215,7 @@ impl JointKind {
         self.parts == [Part::Screw]
     }
 
-    /// How many directions are written.
+    /// The number of written directions.
     pub fn directions(&self) -> usize {
         match self.axes {
             Axes::Written(count) => count,
@@ -223,7 +224,7 @@ impl JointKind {
         }
     }
 
-    /// Its parts, each with the number of its coordinate among those of the same sort.
+    /// Its parts, each with the index of its coordinate among those of the same sort.
     pub fn numbered(&self) -> impl Iterator<Item = (Part, usize)> {
         let (mut turns, mut slides) = (0, 0);
         self.parts.iter().map(move |part| {
@@ -236,7 +237,7 @@ impl JointKind {
         })
     }
 
-    /// The rates of its freedoms, in the order in which mechanics has them.
+    /// The rates of its coordinates, in the order of mechanics.
     pub fn freedoms(&self, is_planar: bool) -> Vec<(Variable, usize)> {
         let mut freedoms = Vec::new();
         let (along, about) = (Variable::Velocity, Variable::AngularVelocity);

@@ -1,4 +1,4 @@
-//! A system, understood: bodies, and the joints that carry them.
+//! The meaning of a system: bodies, and the joints that carry them.
 
 mod joint_kind;
 
@@ -13,32 +13,33 @@ use super::joints::Rates;
 use super::kinematics::{Own, State};
 use super::words::{Checks, Frame, Variable};
 
-/// A description of a system, understood.
+/// The meaning of a description of a system.
 pub struct System {
     pub is_planar: bool,
     pub bodies: Vec<Member>,
-    /// Each carrier before what it carries; the joint of a body has the number of the body.
+    /// Each carrier precedes what it carries; the joint of a body has the index of the body.
     pub joints: Vec<TreeJoint>,
     /// The joints that close loops.
     pub closings: Vec<Closing>,
-    /// The joints that move, by number, in the order in which the state has them.
+    /// The moving joints, by index, in the order of the state.
     pub written: Vec<usize>,
-    /// Points whose Jacobians are asked for: the body, and where on it, from its G, in its axes.
+    /// Points whose Jacobians are requested: the body, and the offset from its G, in its axes.
     pub points: Vec<(usize, Components)>,
-    /// The acceleration of free fall in the field that acts on all mass alike, world axes.
+    /// The acceleration of free fall in the field that acts on all mass equally, world axes.
     pub gravity: Components,
     pub cables: Vec<Tie>,
-    /// Links without mass, which written constraints keep.
+    /// Massless links, which written constraints keep.
     pub links: Vec<Tie>,
-    /// What links and cables are made with.
+    /// The properties of links and cables.
     pub properties: Vec<Property>,
-    /// States of its own.
+    /// User-defined states.
     pub states: Vec<Own>,
     pub constraints: Kept,
     pub potentials: Potentials,
-    /// Energies besides those of uniform fields: of cables, and of potentials once these are loads.
+    /// Energies other than those of uniform fields: of cables, and of potentials once these are
+    /// loads.
     pub energies: Vec<Id>,
-    /// How many derivatives of each input are given.
+    /// The number of given derivatives of each input.
     pub derivatives: Vec<usize>,
     pub defaults: Defaults,
     pub checks: Checks,
@@ -50,54 +51,54 @@ pub struct Member {
     pub state: State,
     pub mass: Id,
     pub inertia: Inertia,
-    /// All but gravity.
+    /// All except gravity.
     pub loads: Vec<Load>,
-    /// The fields that make up gravity.
+    /// The fields that constitute gravity.
     pub weights: Vec<Load>,
 }
 
-/// A joint between bodies that others carry already: it closes a loop.
+/// A joint between bodies that others already carry: it closes a loop.
 pub struct Closing {
     pub name: Ident,
     pub kind: &'static JointKind,
-    /// The body, or the ground, that would carry.
+    /// The body, or the ground, on the carrier's side.
     pub carrier: Option<usize>,
     pub carried: usize,
-    /// Where it is on the carrier, and on the carried body, from G, in its axes; of the ground, in those
-    /// of the world.
+    /// Its points on the carrier and on the carried body, from G, in the body's axes; on the ground
+    /// in world axes.
     pub place: Components,
     pub pin: Components,
-    /// Unit vectors, in the axes of the carried body; behind the one axis of a joint in space two that
-    /// are across it.
+    /// Unit vectors, in the axes of the carried body; after the single axis of a joint in space two
+    /// perpendicular ones.
     pub directions: Vec<Components>,
-    /// Of a screw, metres per radian.
+    /// For a screw, metres per radian.
     pub pitch: Option<Id>,
-    /// How the carried body is turned where the coordinates are zero: axes and angles, the first one
-    /// from the carrier's axes.
+    /// The rotation of the carried body at zero coordinates: axes and angles, the first one
+    /// in the carrier's axes.
     pub turned: Vec<(Components, Id)>,
 }
 
-/// What the motion of a system keeps at zero.
+/// The constraints of the motion of a system.
 #[derive(Default)]
 pub struct Kept {
     pub list: Vec<Constraint>,
-    /// The symbols of the loads that keep them: given loads may follow these.
+    /// The symbols of their loads: given loads may depend on these.
     pub loads: Vec<Id>,
-    /// The same scalars as functions of each body by itself, if there are any.
+    /// The same scalars as functions of each body separately, if there are any.
     pub form: Option<Form>,
 }
 
-/// What is between two points and has no mass.
+/// A massless connection between two points.
 pub struct Tie {
     pub name: Ident,
-    /// At its ends; none: the ground.
+    /// The bodies at its ends; none for the ground.
     pub bodies: [Option<Ident>; 2],
 }
 
-/// A number that a link or a cable is made with: finite and not negative.
+/// A property of a link or a cable: finite and not negative.
 #[derive(Clone)]
 pub struct Property {
-    /// Of what.
+    /// Its owner.
     pub of: Ident,
     pub word: &'static str,
     pub value: Id,
@@ -108,40 +109,40 @@ pub struct Property {
 pub struct TreeJoint {
     pub name: Ident,
     pub kind: &'static JointKind,
-    /// The body that carries it; none: the ground.
+    /// The carrier; none for the ground.
     pub carrier: Option<usize>,
-    /// The body that it carries.
+    /// The carried body.
     pub carried: usize,
-    /// Where it is on the carrier: from its G, in its axes; of the ground, in those of the world.
+    /// Its point on the carrier: from its G, in its axes; on the ground in world axes.
     pub place: Components,
-    /// Where it is on the carried body, from its G, in its axes.
+    /// Its point on the carried body, from its G, in its axes.
     pub pin: Components,
-    /// Unit vectors, in the axes of the carried body where the coordinates are zero; what parts of the
-    /// kind go by.
+    /// Unit vectors, in the axes of the carried body at zero coordinates, to which the parts of the
+    /// kind refer.
     pub directions: Vec<Components>,
-    /// Of a screw, metres per radian.
+    /// For a screw, metres per radian.
     pub pitch: Option<Id>,
-    /// How the carried body is turned where the coordinates are zero: about axes, one after the other,
-    /// each in the axes that the ones before have made.
+    /// The rotation of the carried body at zero coordinates: about axes in sequence,
+    /// each in the axes rotated by those before.
     pub turned: Vec<(Components, Id)>,
     /// The frames of its parts, the last one that of the carried body.
     pub frames: Vec<Frame>,
-    /// Its coordinates, their rates and accelerations, in the order of the freedoms of its parts.
+    /// Its coordinates, their rates and accelerations, in the order of its parts.
     pub coordinates: Rates,
-    /// The given load along each freedom, the sum of all drives.
+    /// The given load along each coordinate, the sum of all drives.
     pub drives: Vec<Id>,
     /// The given drives, by name.
     pub driven_by: Vec<(Ident, Vec<Id>)>,
-    /// An inertia along its one coordinate, beside that of what it carries.
+    /// An inertia along its single coordinate, in addition to that of the carried body.
     pub armature: Option<Id>,
-    /// The acceleration along each freedom, if its motion is prescribed.
+    /// The acceleration along each coordinate, if its motion is prescribed.
     pub given: Vec<Option<Id>>,
-    /// The unknown load along a freedom, by its name, if there is one.
+    /// The unknown load along a coordinate, by its name, if there is one.
     pub open: Vec<Option<Ident>>,
 }
 
 impl TreeJoint {
-    /// The rate of the coordinate, if it has one alone.
+    /// The rate of the coordinate, if it has a single one.
     pub fn rate(&self) -> Option<Id> {
         let rates = [Variable::Velocity, Variable::AngularVelocity];
         rates
@@ -156,7 +157,7 @@ impl TreeJoint {
         self.carrier.is_none() && (is_alone || is_ball)
     }
 
-    /// Its accelerations, by its freedoms.
+    /// Its accelerations, by its coordinates.
     pub fn accelerations(&self) -> Vec<Id> {
         let second = self.kind.shape.into_iter().flat_map(|shape| shape.second);
         let parts = second.flat_map(|field| {
@@ -174,12 +175,12 @@ impl TreeJoint {
 }
 
 impl System {
-    /// Nothing but the joints of its tree holds it.
+    /// Only the joints of its tree hold it.
     pub fn is_tree(&self) -> bool {
         self.closings.is_empty() && self.constraints.list.is_empty()
     }
 
-    /// A constraint is what a link without mass keeps.
+    /// Whether a constraint is that of a massless link.
     pub fn is_link(&self, constraint: &Ident) -> bool {
         self.links.iter().any(|link| link.name == *constraint)
     }

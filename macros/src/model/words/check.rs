@@ -1,21 +1,21 @@
-//! Checks: what is claimed of a body or a system, and in which state.
+//! Checks: claims about a body or a system, each in one state.
 
 use proc_macro2::Ident;
 
 use crate::errors::Extent;
 use crate::symbolic::{Comparison, Components, Id};
 
-/// What a description claims.
+/// The claims of a description.
 #[derive(Clone, Default)]
 pub struct Checks {
     pub list: Vec<Check>,
-    /// The symbols of what is derived later, where there are checks.
+    /// The symbols of quantities that are derived later, if there are checks.
     pub answers: Option<Answers>,
-    /// Of a system: the symbols of what joints carry, force and moment, by name.
+    /// For a system: the symbols of joint loads, force and moment, by name.
     pub held: Vec<(Ident, [Components; 2])>,
 }
 
-/// Symbols of what the motion answers.
+/// Symbols of quantities of the motion.
 #[derive(Clone, Copy)]
 pub struct Answers {
     pub kinetic: Id,
@@ -24,12 +24,12 @@ pub struct Answers {
     pub angular_momentum: Components,
 }
 
-/// One check: all that it claims, in one state.
+/// One check: its claims, in one state.
 #[derive(Clone)]
 pub struct Check {
     pub name: Ident,
     pub claims: Vec<Claim>,
-    /// Symbols, and what they are in this state.
+    /// Symbols, and their values in this state.
     pub given: Vec<(Id, Id, Extent)>,
 }
 
@@ -38,7 +38,7 @@ pub struct Check {
 pub struct Claim {
     pub comparison: Comparison,
     pub sides: [Id; 2],
-    /// Whether the first side stands on the right.
+    /// Whether the first side is written on the right.
     pub is_turned: bool,
     pub place: Extent,
 }

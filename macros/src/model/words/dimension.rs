@@ -1,4 +1,4 @@
-//! Physical dimensions: what can be added to what.
+//! Physical dimensions, which decide which quantities can be added.
 
 use core::fmt;
 
@@ -10,7 +10,7 @@ use super::unit::Unit;
 /// Base units, in the order of the exponents.
 const BASE: [&str; 7] = ["kg", "m", "s", "A", "K", "mol", "cd"];
 
-/// Products with a name of their own in messages and documentation.
+/// Products with their own names in messages and documentation.
 const NAMED: [(&str, [i16; 7]); 8] = [
     ("N", [1, 1, -2, 0, 0, 0, 0]),
     ("W", [1, 2, -3, 0, 0, 0, 0]),
@@ -21,17 +21,17 @@ const NAMED: [(&str, [i16; 7]); 8] = [
     ("C", [0, 0, 1, 1, 0, 0, 0]),
     ("N * m * s", [1, 2, -1, 0, 0, 0, 0]),
 ];
-/// How many of them, from the first, are also shown over a base unit: `N / m`, `W / K`.
+/// The number of them, from the first, that are also shown over a base unit: `N / m`, `W / K`.
 const DIVIDED: usize = 6;
 
-/// Powers of the base units, or [`Dimension::ANY`] for what was written without a unit.
+/// Powers of the base units, or [`Dimension::ANY`] for quantities without a unit.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Dimension(Option<[Fraction; 7]>);
 
 impl Dimension {
     /// Fits everything: no unit was written.
     pub const ANY: Self = Self(None);
-    /// A pure number, an angle.
+    /// A pure number, or an angle.
     pub const NONE: Self = Self::base([0; 7]);
     pub const MASS: Self = Self::base([1, 0, 0, 0, 0, 0, 0]);
     pub const LENGTH: Self = Self::base([0, 1, 0, 0, 0, 0, 0]);
@@ -41,12 +41,12 @@ impl Dimension {
     pub const ANGULAR_ACCELERATION: Self = Self::base([0, 0, -2, 0, 0, 0, 0]);
     pub const FREQUENCY: Self = Self::base([0, 0, -1, 0, 0, 0, 0]);
     pub const FORCE: Self = Self::base([1, 1, -2, 0, 0, 0, 0]);
-    /// Of a spring, N/m.
+    /// The dimension of a spring, N/m.
     pub const STIFFNESS: Self = Self::base([1, 0, -2, 0, 0, 0, 0]);
     pub const MOMENT: Self = Self::base([1, 2, -2, 0, 0, 0, 0]);
     pub const INERTIA: Self = Self::base([1, 2, 0, 0, 0, 0, 0]);
 
-    /// From whole powers of kg, m, s, A, K, mol, cd.
+    /// From integer powers of kg, m, s, A, K, mol, cd.
     pub const fn base(exponents: [i16; 7]) -> Self {
         let mut fractions = [Fraction::ZERO; 7];
         let mut i = 0;
@@ -57,7 +57,7 @@ impl Dimension {
         Self(Some(fractions))
     }
 
-    /// `None`, here and in what follows, where an exponent becomes too large.
+    /// `None`, here and below, if an exponent becomes too large.
     pub fn times(self, other: Self) -> Option<Self> {
         self.combine(other, Fraction::plus)
     }
@@ -70,7 +70,7 @@ impl Dimension {
         self.combine(self, |own, _| own.times(exponent))
     }
 
-    /// To the power of a number; that of a pure number is one.
+    /// To the power of a number; a power of a pure number is a pure number.
     pub fn power_of_number(self, exponent: &Number) -> Option<Self> {
         let Some(exponents) = self.0 else {
             return Some(Self::ANY);
@@ -82,7 +82,7 @@ impl Dimension {
         self.power(Fraction::new(numerator, denominator)?)
     }
 
-    /// The dimension of both, if they can be the same.
+    /// The common dimension of both, if they are compatible.
     pub fn unify(self, other: Self) -> Option<Self> {
         match (self.0, other.0) {
             (Some(a), Some(b)) => (a == b).then_some(self),
@@ -95,7 +95,7 @@ impl Dimension {
         self.unify(other).is_some()
     }
 
-    /// What a quantity of this dimension is said to be: `in N`, `a pure number`.
+    /// A quantity of this dimension in words: `in N`, `a pure number`.
     pub fn described(self) -> String {
         match self.0 {
             Some(exponents) if exponents != [Fraction::ZERO; 7] => format!("in {self}"),
@@ -123,7 +123,7 @@ impl Dimension {
         Some(name)
     }
 
-    /// What it is a named unit over a base unit of.
+    /// The named unit whose quotient by a base unit it is.
     fn quotient(self) -> Option<(&'static str, &'static str)> {
         let mut named = NAMED[..DIVIDED].iter();
         named.find_map(|(name, exponents)| {

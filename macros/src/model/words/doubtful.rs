@@ -1,13 +1,13 @@
-//! Functions and quotients that have no value somewhere, and why.
+//! Functions and quotients that may have no value, and why.
 
 use crate::errors::Extent;
 use crate::symbolic::{Id, Number};
 
 use super::shown::shown;
 
-/// Something that was written and has no value everywhere, and depends on parameters.
+/// An expression of the description that may have no value, depending on parameters.
 pub struct Doubtful {
-    /// The word of a function; of a quotient, `/`.
+    /// The word of a function; for a quotient, `/`.
     pub word: String,
     pub operands: Vec<Id>,
     pub value: Id,
@@ -39,7 +39,7 @@ pub fn why_not(word: &str, operands: &[Number]) -> String {
     }
 }
 
-/// Whether a number cannot be told from a whole one.
+/// Whether a number cannot be distinguished from an integer.
 pub fn is_nearly_whole(number: &Number) -> bool {
     [-1, 0, 1]
         .into_iter()

@@ -1,4 +1,4 @@
-//! What stands in the Rust of the user, and not in the description.
+//! Rust items of the user that a description refers to.
 
 use proc_macro2::{Ident, TokenStream};
 
@@ -9,22 +9,22 @@ use super::dimension::Dimension;
 /// A constant, known once the body is built.
 pub struct ForeignConstant {
     pub name: Ident,
-    /// An expression of Rust.
+    /// A Rust expression.
     pub value: TokenStream,
 }
 
-/// A function of scalars, each in a unit, of which the factor to SI units is known.
+/// A function of scalars, each in a unit with a known factor to SI units.
 pub struct ForeignFunction {
     pub name: Ident,
     pub arguments: Vec<(Ident, Number, Dimension)>,
     pub result: (Number, Dimension),
     pub path: TokenStream,
-    /// By each argument, where it is given.
+    /// Derivatives by each argument, if given.
     pub derivatives: Vec<Option<TokenStream>>,
 }
 
 impl ForeignFunction {
-    /// The function itself and its derivatives that are given: what each is called, and its path.
+    /// The function itself and its given derivatives: the name and path of each.
     pub fn given(&self) -> impl Iterator<Item = (String, &TokenStream)> {
         let name = &self.name;
         let derivatives = self.arguments.iter().zip(&self.derivatives);
@@ -34,7 +34,7 @@ impl ForeignFunction {
         core::iter::once((name.to_string(), &self.path)).chain(derivatives)
     }
 
-    /// What it is called, or a derivative of it; `None` of one that is not given.
+    /// Its name, or that of a derivative; `None` for a derivative that is not given.
     pub fn word(&self, which: Foreign) -> Option<String> {
         let orders = which.orders();
         let argument = orders.iter().position(|order| *order > 0);

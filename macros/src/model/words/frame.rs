@@ -1,6 +1,6 @@
 //! Frames, by index.
 
-/// Axes in which components are written, by index: those of the ground, and those that turn with a
+/// The axes of components, by index: those of the ground, and those that rotate with a
 /// body.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Frame(usize);
@@ -16,13 +16,13 @@ impl Frame {
         self.0
     }
 
-    /// What names and messages call it.
+    /// Its name in names and messages.
     pub fn word(self) -> &'static str {
         if self == Self::WORLD { "world" } else { "body" }
     }
 }
 
-/// How a description names the axes in which it writes a vector.
+/// The word in a description for the axes of a vector.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum FrameWord {
     World,

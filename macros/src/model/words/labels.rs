@@ -1,10 +1,10 @@
-//! Words: what the symbols of the graph stand for, and what its expressions are called.
+//! Words: the meanings of symbols, and the names of expressions.
 
 use std::collections::HashMap;
 
 use crate::symbolic::{Components, Id};
 
-/// Axes, as they are appended to names.
+/// Axes, as suffixes of names.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Names of expressions, for statements and documentation. An expression keeps its first name.
@@ -12,14 +12,14 @@ pub const AXES: [&str; 3] = ["x", "y", "z"];
 pub struct Labels {
     names: HashMap<Id, String>,
     notes: HashMap<&'static str, &'static str>,
-    /// The unknowns that guarded reciprocals give.
+    /// The unknowns of guarded reciprocals.
     unknowns: HashMap<Id, String>,
-    /// Of what is only tried: nothing has a name.
+    /// For trials: nothing gets a name.
     is_silent: bool,
 }
 
 impl Labels {
-    /// Those of what is only tried, which have no names.
+    /// Labels of a trial, which have no names.
     pub fn silent() -> Self {
         Self {
             is_silent: true,
@@ -27,7 +27,7 @@ impl Labels {
         }
     }
 
-    /// The labels of a part, to be adopted or not.
+    /// The labels of a part, to be adopted or discarded.
     pub fn part(&self) -> Self {
         Self {
             is_silent: self.is_silent,
@@ -51,7 +51,7 @@ impl Labels {
         }
     }
 
-    /// The same of something angular: in the plane it is about z, and has one name.
+    /// The same for an angular quantity: in the plane it is about z, and has one name.
     pub fn vector_or_one(&mut self, name: &str, of: &str, components: Components) {
         let [x, y, z] = components;
         if x == y && x != z {
@@ -73,12 +73,12 @@ impl Labels {
         }
     }
 
-    /// Says what the expressions called `name`, `name_x`, ... are.
+    /// Describes the expressions named `name`, `name_x`, ...
     pub fn describe(&mut self, name: &'static str, note: &'static str) {
         self.notes.entry(name).or_insert(note);
     }
 
-    /// Names what named expressions have become.
+    /// Moves names to the expressions that replaced named ones.
     pub fn follow(&mut self, images: &[(Id, Id)]) {
         for (id, image) in images {
             if let Some(name) = self.names.get(id).cloned() {
@@ -87,7 +87,7 @@ impl Labels {
         }
     }
 
-    /// Takes over the names and descriptions of a part.
+    /// Adopts the names and descriptions of a part.
     pub fn adopt(&mut self, part: Self) {
         for (id, name) in part.names {
             self.name(id, name);
@@ -97,7 +97,7 @@ impl Labels {
         }
     }
 
-    /// The group that a name belongs to, and what it is.
+    /// The group of a name, and its description.
     pub fn note(&self, name: &str) -> Option<(&'static str, &'static str)> {
         let group = AXES
             .iter()
@@ -108,12 +108,12 @@ impl Labels {
             .map(|(group, note)| (*group, *note))
     }
 
-    /// Says which unknown is found by dividing.
+    /// Records the unknown that a division gives.
     pub fn divide_for(&mut self, reciprocal: Id, unknown: String) {
         self.unknowns.entry(reciprocal).or_insert(unknown);
     }
 
-    /// The unknown that a guarded reciprocal gives.
+    /// The unknown of a guarded reciprocal.
     pub fn unknown(&self, reciprocal: Id) -> &str {
         self.unknowns.get(&reciprocal).map_or("", String::as_str)
     }

@@ -1,4 +1,4 @@
-//! What the symbols of the graph stand for.
+//! The meanings of symbols.
 
 use std::collections::HashMap;
 
@@ -6,32 +6,32 @@ use crate::symbolic::{Graph, Id, Node, Stage, Symbol};
 
 use super::frame::Frame;
 
-/// What the motion of a body is told by.
+/// The variables of the motion of a body.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Variable {
     /// Of G, world axes.
     Position,
     Velocity,
     LinearAcceleration,
-    /// The same in body axes, of what loads follow it.
+    /// The same in body axes, for loads that depend on it.
     AccelerationInBody,
-    /// By which the body is turned in the plane, or about the axis of a hinge.
+    /// The angle of a body in the plane, or about the axis of a hinge.
     Angle,
     /// The attitude quaternion: its component 0 is the scalar.
     Quaternion,
-    /// Body axes; that of an angle is along its axis, in the place of z.
+    /// In body axes; that of an angle is along its axis, in the place of z.
     AngularVelocity,
     AngularAcceleration,
     /// The axis of a rod, world axes.
     Axis,
     AxisRate,
     AxisAcceleration,
-    /// A state of one's own, and its rate.
+    /// A user-defined state, and its rate.
     Own,
 }
 
 impl Variable {
-    /// Whether it is a velocity of any kind, or stands among them.
+    /// Whether it is a velocity of any kind, or is treated as one.
     pub fn is_rate(self) -> bool {
         matches!(
             self,
@@ -50,7 +50,7 @@ impl Variable {
         )
     }
 
-    /// What an acceleration is called in the state's acceleration.
+    /// Its name in the acceleration of the state.
     pub fn of_acceleration(self) -> &'static str {
         match self {
             Self::LinearAcceleration => "linear",
@@ -60,27 +60,27 @@ impl Variable {
     }
 }
 
-/// What a symbol stands for; the last number is a component, one before it the index of a
+/// The meaning of a symbol; the last number is a component, one before it the index of a
 /// declaration.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Meaning {
     Time,
-    /// Of the motion of a body, which its frame tells.
+    /// Of the motion of a body, identified by its frame.
     Of(Frame, Variable, usize),
     /// A parameter, and its component if it is a vector.
     Param(usize, Option<usize>),
     Input(usize, Option<usize>),
-    /// A constant of the Rust of the user.
+    /// A Rust constant of the user.
     Constant(usize),
-    /// A state of one's own.
+    /// A user-defined state.
     Own(usize),
     /// A reaction, given from outside, and its component in world axes.
     Reaction(usize, usize),
-    /// A displacement or a turned vector, as long as it is differentiated by.
+    /// A displacement or a rotated vector, during differentiation.
     Virtual,
 }
 
-/// Symbols and what they stand for.
+/// Symbols and their meanings.
 #[derive(Default)]
 pub struct Meanings(HashMap<Symbol, Meaning>);
 

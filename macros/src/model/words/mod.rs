@@ -1,4 +1,4 @@
-//! What symbols stand for, what expressions are called, and in which units.
+//! The meanings of symbols, the names of expressions, and their units.
 
 mod check;
 mod dimension;

@@ -1,4 +1,4 @@
-//! Units as they are shown.
+//! Units for display.
 
 use core::fmt;
 
@@ -9,7 +9,7 @@ use crate::fraction::Fraction;
 pub struct Unit(pub Vec<(String, Fraction)>);
 
 impl Unit {
-    /// What changes by it in a second has this unit; `None` where an exponent becomes too large.
+    /// The unit of its time derivative; `None` if an exponent becomes too large.
     pub fn per_second(mut self) -> Option<Self> {
         let below = Fraction::ONE.negative();
         match self.0.iter_mut().find(|(word, _)| word == "s") {

@@ -1,5 +1,5 @@
 //! `flow`: the motion in closed form, as a path of the runtime that begins at a state. Elliptic
-//! functions are those of doubles.
+//! functions are computed in doubles.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -105,8 +105,8 @@ fn with_center(shapes: &Shapes, rotation: Option<TokenStream>) -> TokenStream {
     }
 }
 
-/// `Flight { center: Parabola { .. }, rotation: FreeRotation::principal(..) }`, or the one part
-/// that there is.
+/// `Flight { center: Parabola { .. }, rotation: FreeRotation::principal(..) }`, or a single
+/// part.
 fn write_path(writer: &Writer<'_>, flow: &mechanics::Flow) -> Method {
     let shapes = &writer.shapes;
     let linear = &flow.linear[shapes.motion.linear_axes()];
@@ -131,7 +131,7 @@ fn write_path(writer: &Writer<'_>, flow: &mechanics::Flow) -> Method {
     })
 }
 
-/// What the path reads of a body: entries of a tensor only where it has no principal axes.
+/// The expressions that the path reads: entries of a tensor only if there are no principal axes.
 fn path_roots(outline: &Outline, rotation: &Rotation) -> Vec<Id> {
     match rotation {
         Rotation::Free(Free::Tensor(entries)) if outline.scalar.is_some() => entries.to_vec(),

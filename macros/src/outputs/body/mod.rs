@@ -1,4 +1,4 @@
-//! The outputs of one body. One that is new is a file, and a line in one of two lists.
+//! The outputs of one body. A new output is a file, and a line in one of two lists.
 
 mod flow;
 mod inverse;
@@ -17,7 +17,7 @@ use super::output::{Listed, Output};
 use super::regressor::Regressor;
 use super::taylor::Taylor;
 
-/// What is solved for, or looked for.
+/// Outputs that are solved for, or searched for.
 fn solved() -> [Box<dyn Output<Model>>; 8] {
     [
         Box::<inverse::Inverse>::default(),
@@ -31,7 +31,7 @@ fn solved() -> [Box<dyn Output<Model>>; 8] {
     ]
 }
 
-/// What is read off the motion.
+/// Outputs that are read off the motion.
 fn observed() -> [Box<dyn Output<Model>>; 5] {
     [
         Box::<Energy>::default(),

@@ -1,4 +1,4 @@
-//! `reactions`: the unknown loads that go with the accelerations.
+//! `reactions`: the unknown loads in the motion.
 
 use quote::quote;
 

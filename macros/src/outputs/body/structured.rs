@@ -1,4 +1,4 @@
-//! The structure of a body, as the constant of a trait: what every body has.
+//! The structure of a body, as the constant of a trait that every body has.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -23,8 +23,8 @@ impl Output<Model> for Structured {
         Some(())
     }
 
-    /// `impl Structured for Body { const STRUCTURE: Structure = Structure { .. }; }`, with what
-    /// holds of it.
+    /// `impl Structured for Body { const STRUCTURE: Structure = Structure { .. }; }`, with the
+    /// claims that hold.
     fn emit(&self, site: &Site<'_>) -> Addition {
         let private = &site.shapes.private;
         let known = self.0.as_ref().map(|structure| whole(structure, private));

@@ -82,7 +82,7 @@ impl<S: Subject> Output<S> for Linearization {
             name: "Linearization",
             method: "linearize",
             doc: format!(
-                " What the rates of the state of [`{}`] change by, to first order: by how much what is named first changes with what is named behind `by`, a row for each component of the first, a column for each of the second, SI units. An attitude q becomes `q exp(e)`, with the rotation vector e in body axes.",
+                " First derivatives of the rates of the state of [`{}`]. A block `a_by_b` has the derivatives of a by b, with a row for each component of a and a column for each component of b, in SI units. An attitude q changes to `q exp(e)`, with the rotation vector e in body axes.",
                 site.outline.name
             ),
         };

@@ -55,7 +55,7 @@ impl<S: Subject> Output<S> for Sensitivity {
             name: "Sensitivity",
             method: "sensitivity",
             doc: format!(
-                " What the accelerations of [`{}`] change by with its parameters, to first order, state and input being held: by how much what is named first changes with what is named behind `by`, a row for each component of the first, a column for each of the second, SI units.",
+                " First derivatives of the accelerations of [`{}`] by its parameters, with state and input held. A block `a_by_b` has the derivatives of a by b, with a row for each component of a and a column for each component of b, in SI units.",
                 site.outline.name
             ),
         };

@@ -1,4 +1,4 @@
-//! How a node changes along with its operands, for all algebras: the chain rule.
+//! The chain rule: the change of a node with its operands, for all algebras.
 
 use crate::symbolic::graph::{Id, Node};
 use crate::symbolic::number::Function;
@@ -6,8 +6,8 @@ use crate::symbolic::number::Function;
 use super::operations::Algebra;
 use super::slopes::{slope, slopes, takes_first};
 
-/// How a node changes along with its operands, one step of the chain rule; `None` is not at all.
-/// Steps (`floor`, `ceil`, `signum`) do not change, and a choice changes as its branches do.
+/// The change of a node with its operands, one step of the chain rule; `None` is no change.
+/// Steps (`floor`, `ceil`, `signum`) do not change, and a choice changes like its branches.
 pub fn change<A: Algebra>(
     of: &mut A,
     node: &Node,
@@ -38,7 +38,7 @@ pub fn change<A: Algebra>(
             let slope = slope(of, function, &known(a), itself);
             product(of, d(a), &slope)
         }
-        // not as a weight of zero, which would be lost where the other side has no slope
+        // not as a weight of zero, which would be lost if the other side has no slope
         Node::Binary(function @ (Function::Min | Function::Max), a, b) => {
             let first = takes_first(of, function, &known(a), &known(b));
             let zero = of.zero();

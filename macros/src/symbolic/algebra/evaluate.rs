@@ -1,4 +1,4 @@
-//! The reference interpreter: what a graph means, in doubles.
+//! The reference interpreter: the meaning of a graph, in doubles.
 
 use crate::symbolic::graph::{Comparison, Graph, Id, Node};
 use crate::symbolic::number::Function;
@@ -14,7 +14,7 @@ impl Graph {
             values[id.index()] = match *self.node(id) {
                 Node::Number(ref number) => number.to_f64(),
                 Node::Truth(holds) => truth(holds),
-                // what comes from outside is not known here
+                // functions from outside are unknown here
                 Node::Undefined | Node::Foreign(..) => f64::NAN,
                 Node::Symbol(_) => symbol(id),
                 Node::Quantity(a) => value(a),

@@ -1,8 +1,8 @@
 //! The values of expressions at exact numbers, with proven bounds.
 //!
-//! A [`Number`] is a ratio of whole numbers, or a value with a bound of its error and a residue that
-//! proves identities; where its digits do not tell it from zero, more are computed. What depends on a
-//! sign that remains unknown has no value here: nothing is guessed.
+//! A [`Number`] is a ratio of integers, or a value with an error bound and a residue that proves
+//! identities; if its digits do not distinguish it from zero, more are computed. An expression that
+//! depends on an unknown sign has no value here: nothing is guessed.
 
 use std::collections::BTreeSet;
 
@@ -11,12 +11,12 @@ use crate::symbolic::number::{Foreign, Function, Number};
 
 use super::operations::{self, Algebra};
 
-/// What is known of an expression.
+/// The result for an expression.
 #[derive(Clone, Debug)]
 pub enum Exact {
-    /// Of a condition, one if it holds and zero if not.
+    /// For a condition, one if it holds and zero if not.
     Number(Number),
-    /// It depends on symbols of which no value is known.
+    /// It depends on symbols without a known value.
     Open(BTreeSet<Id>),
     /// It depends on whether something is zero, and that is neither proved nor refuted.
     Undecided,
@@ -59,13 +59,13 @@ impl Graph {
     }
 }
 
-/// Whether nobody knows which of both is larger.
+/// Whether it is unknown which of both is larger.
 fn is_near(a: &Number, b: &Number) -> bool {
     (a.clone() - b.clone()).is_undecided()
 }
 
 impl Exact {
-    /// How two numbers compare; `Undecided` if thousands of bits do not tell.
+    /// The comparison of two numbers; `Undecided` if thousands of bits do not decide.
     pub fn compare(comparison: Comparison, a: &Number, b: &Number) -> Self {
         let difference = a.clone() - b.clone();
         if difference.is_undecided() {
@@ -75,7 +75,7 @@ impl Exact {
         Self::Number(Number::integer(i64::from(holds)))
     }
 
-    /// What a function of values is, of which one is no number.
+    /// The value of a function if one of its arguments is no number.
     fn poisoned(values: &[Self]) -> Self {
         let mut open = BTreeSet::new();
         for value in values {
@@ -131,7 +131,7 @@ impl Algebra for Exactly {
 
     fn multiply(&mut self, a: &Exact, b: &Exact) -> Exact {
         match (a, b) {
-            // whatever is not given: it is not needed
+            // missing values that are not needed
             (Exact::Open(_), zero) | (zero, Exact::Open(_)) if self.is_zero(zero) => zero.clone(),
             _ => Self::both(a, b, |a, b| Exact::Number(a.clone() * b.clone())),
         }
@@ -171,7 +171,7 @@ impl Algebra for Exactly {
         }
     }
 
-    /// What Rust makes of its arguments is not known before the code runs.
+    /// The result of a Rust function is not known before the code runs.
     fn foreign(&mut self, _: Foreign, arguments: &[Exact; Foreign::ARGUMENTS]) -> Exact {
         Exact::poisoned(arguments)
     }
@@ -193,7 +193,7 @@ impl Algebra for Exactly {
     }
 }
 
-/// Whether the value depends on a sign that is not known.
+/// Whether the value depends on an unknown sign.
 fn jumps(function: Function, numbers: &[Number]) -> bool {
     let [x, rest @ ..] = numbers else {
         return false;

@@ -1,10 +1,10 @@
-//! Statements that are used once, and whose constants are better gathered where they are used.
+//! Statements that are used once, and whose constants are better folded where they are used.
 
 use crate::symbolic::graph::{Graph, Id, Node};
 
 impl Graph {
-    /// `roots` without the statements `early * late` and `early + late` that are used once, and what
-    /// has become of all that they are made of, in order; the same if that is no cheaper.
+    /// `roots` without the statements `early * late` and `early + late` that are used once, and the
+    /// images of all their parts, in order; unchanged if that is no cheaper.
     pub fn folded(&mut self, roots: &[Id]) -> (Vec<Id>, Vec<(Id, Id)>) {
         let last = roots.iter().max().map_or(0, |last| last.index());
         let mut uses = vec![0_u32; last + 1];
@@ -16,7 +16,7 @@ impl Graph {
         for root in roots {
             uses[root.index()] += 1;
         }
-        // all that they are made of follows the roots, so that its images are known
+        // all parts follow the roots, so that their images are known
         let order = self.reachable(roots, |_| true);
         let all = [roots, &order].concat();
         let images = self.rebuild(&all, |graph, id, image| match *graph.node(id) {

@@ -1,4 +1,4 @@
-//! What is computed of nodes, in numbers of any kind: values, changes, substitution.
+//! Computations over nodes, in numbers of any kind: values, changes, substitution.
 
 pub mod chain_rule;
 mod evaluate;

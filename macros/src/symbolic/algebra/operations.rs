@@ -1,6 +1,6 @@
-//! What expressions are computed in: numbers of some kind, or expressions again.
+//! The algebras of expressions: numbers of some kind, or again expressions.
 //!
-//! What a node is, and how it changes along with its operands, is written once, for all of them.
+//! The meaning of a node, and its change with its operands, are written once, for all of them.
 
 use crate::symbolic::graph::{Comparison, Id, Node};
 use crate::symbolic::number::{Foreign, Function, Number};
@@ -22,10 +22,10 @@ pub trait Algebra {
         function: Foreign,
         arguments: &[Self::Value; Foreign::ARGUMENTS],
     ) -> Self::Value;
-    /// Whether a value is zero for certain.
+    /// Whether a value is certainly zero.
     fn is_zero(&self, a: &Self::Value) -> bool;
 
-    // conditions: of numbers, one is true and zero is false
+    // conditions: in numbers, one is true and zero is false
 
     fn compare(&mut self, _: Comparison, _: &Self::Value, _: &Self::Value) -> Self::Value {
         self.undefined()
@@ -54,7 +54,7 @@ pub trait Algebra {
         self.number(&Number::integer(i64::from(holds)))
     }
 
-    // what follows from these
+    // derived operations
 
     fn zero(&mut self) -> Self::Value {
         self.number(&Number::zero())
@@ -77,7 +77,7 @@ pub trait Algebra {
         a.clone()
     }
 
-    /// What is positive, or else has no value.
+    /// A positive value; otherwise it has no value.
     fn positive(&mut self, a: &Self::Value) -> Self::Value {
         a.clone()
     }
@@ -88,7 +88,7 @@ pub trait Algebra {
     }
 }
 
-/// What a node is that is not a symbol.
+/// The value of a node that is not a symbol.
 pub fn value<A: Algebra>(of: &mut A, node: &Node, known: impl Fn(Id) -> A::Value) -> A::Value {
     match *node {
         Node::Number(ref number) => of.number(number),

@@ -1,4 +1,4 @@
-//! The replacement of symbols: by numbers, it is exact evaluation.
+//! The replacement of symbols; by numbers, it is exact evaluation.
 
 use crate::symbolic::graph::{Comparison, Components, Graph, Id, Node};
 use crate::symbolic::number::{Foreign, Function, Number};
@@ -6,7 +6,7 @@ use crate::symbolic::number::{Foreign, Function, Number};
 use super::operations::{self, Algebra};
 
 impl Graph {
-    /// `roots` with symbols replaced: `replacement` answers for those that change.
+    /// `roots` with symbols replaced: `replacement` gives the new expressions of those that change.
     pub fn substitute(&mut self, roots: &[Id], replacement: impl Fn(Id) -> Option<Id>) -> Vec<Id> {
         self.rebuild(roots, |graph, id, image| match graph.node(id) {
             Node::Symbol(_) => replacement(id).unwrap_or(id),
@@ -14,7 +14,7 @@ impl Graph {
         })
     }
 
-    /// `roots` made again from below: `make` makes a node of the images of its operands.
+    /// `roots` rebuilt from below: `make` makes a node from the images of its operands.
     pub(in crate::symbolic) fn rebuild(
         &mut self,
         roots: &[Id],
@@ -43,7 +43,7 @@ impl Graph {
 
 /// Expressions of expressions.
 impl Graph {
-    /// A vector with values in the place of symbols.
+    /// A vector with values in place of symbols.
     pub fn replaced(&mut self, components: Components, values: &[(Id, Id)]) -> Components {
         let value = |id: Id| {
             let known = values.iter().find(|(symbol, _)| *symbol == id);

@@ -1,15 +1,15 @@
-//! Expressions in the order in which they are computed, for one state after the other.
+//! Expressions in the order of computation, for a sequence of states.
 
 use crate::symbolic::graph::{Graph, Id, Node};
 
 use super::chain_rule;
 use super::operations::{self, Algebra};
 
-/// All that some roots are made of, children first.
+/// All parts of some roots, children first.
 pub struct Tape<'a> {
     graph: &'a Graph,
     order: Vec<Id>,
-    /// Where in the order an expression is.
+    /// The place of each expression in the order.
     place: Vec<u32>,
 }
 
@@ -48,7 +48,7 @@ impl Tape<'_> {
         values
     }
 
-    /// How all of them change where symbols do as `rate` says; `None` is not at all.
+    /// The changes of all of them if symbols change by `rate`; `None` is no change.
     pub fn changes<A: Algebra>(
         &self,
         algebra: &mut A,
@@ -69,7 +69,7 @@ impl Tape<'_> {
         changes
     }
 
-    /// That of an expression, among those of all.
+    /// The value of an expression, among the values of all.
     pub fn of<'v, V>(&self, all: &'v [V], id: Id) -> &'v V {
         &all[self.place[id.index()] as usize]
     }

@@ -16,8 +16,8 @@ impl Graph {
         self.change(roots, |symbol| (symbol == by).then_some(one))
     }
 
-    /// How `roots` change along with what is known to change: `rate` answers for symbols, and for
-    /// expressions that are not looked into.
+    /// The changes of `roots` with given changes: `rate` gives them for symbols, and for
+    /// expressions that are not descended into.
     pub fn change(&mut self, roots: &[Id], rate: impl Fn(Id) -> Option<Id>) -> Vec<Id> {
         let order = self.reachable(roots, |id| rate(id).is_none());
         let mut changes = vec![None; order.last().map_or(0, |last| last.index() + 1)];

@@ -1,9 +1,9 @@
-//! Gradients: the slopes of one expression along all of its leaves, in one sweep backwards.
+//! Gradients: the slopes of one expression along all of its leaves, in one backward sweep.
 //!
-//! From a root to its operands, each node hands down how the root changes with it. Powers are taken
-//! as a whole, roots among them, so that no square root is divided away that was never needed; what
-//! is divided by is inverted once. A branch is differentiated where it is taken: its slopes carry
-//! their condition, and meet those of the other branch only at the leaves.
+//! From a root to its operands, each node passes down the slope of the root along it. Powers,
+//! including roots, are treated as a whole, so that no unneeded square root is computed only to be
+//! divided away; every divisor is inverted once. A branch is differentiated where it is taken: its
+//! slopes carry their condition, and meet those of the other branch only at the leaves.
 
 use std::collections::HashMap;
 
@@ -11,26 +11,27 @@ use crate::symbolic::algebra::{self, takes_first};
 use crate::symbolic::graph::{Graph, Id, Node};
 use crate::symbolic::number::{Function, Number};
 
-/// A power of a base, its exponent in halves: `s`, its root and the square of that share one base.
+/// A power of a base, with its exponent in halves: `s`, its root and the root's square share one
+/// base.
 type Power = (Id, i32);
 
-/// The condition under which a slope counts; the first is always met.
+/// The condition under which a slope counts; the first one always holds.
 type Guard = usize;
 
-/// Slopes that were handed down, by node and by guard.
+/// Slopes passed down, by node and by guard.
 struct Sweep {
     powers: Vec<Power>,
     /// Whether a leaf is in the node.
     matters: Vec<bool>,
     slopes: Vec<Vec<(Guard, Id)>>,
-    /// Of guards `2 n + 1` and `2 n + 2`: the guard around them, and the condition that the first
-    /// of them needs and the second excludes.
+    /// For guards `2 n + 1` and `2 n + 2`: the enclosing guard, and the condition that the first
+    /// of them requires and the second excludes.
     branches: Vec<(Guard, Id)>,
 }
 
 impl Graph {
-    /// How `sum of weight * root` changes with each of the leaves that it depends on, in the order
-    /// of these; what they are made of does not matter.
+    /// The slopes of `sum of weight * root` along each of the leaves on which it depends, in their
+    /// order; leaves are not descended into.
     pub fn gradient(
         &mut self,
         weighted: &[(Id, Id)],
@@ -47,7 +48,7 @@ impl Graph {
             branches: Vec::new(),
         };
         for &id in &order {
-            // a vector may have components that are zero
+            // a vector may have zero components
             let is_leaf = is_leaf(id) && !self.is_early(id);
             let mut operands = self.node(id).operands();
             sweep.matters[id.index()] =
@@ -79,7 +80,7 @@ impl Graph {
         found
     }
 
-    /// What a product of equal factors, or a root, is a power of.
+    /// The base and exponent of a product of equal factors, or of a root.
     fn power(&self, id: Id, known: impl Fn(Id) -> Power) -> Power {
         let whole = (id, 2);
         match *self.node(id) {
@@ -100,7 +101,7 @@ impl Graph {
         }
     }
 
-    /// `base ^ (halves / 2)`, by the inverse of the root where that is computed anyhow.
+    /// `base ^ (halves / 2)`, by the inverse of the root if that is computed anyway.
     fn half_power(&mut self, base: Id, halves: i32) -> Id {
         let root = Node::Unary(Function::Sqrt, base);
         let inverse_root = self.find(&root).and_then(|root| self.find_inverse(root));
@@ -130,7 +131,7 @@ impl Graph {
         self.find(&Node::Quantity(self.find(&Node::Divide(one, a))?))
     }
 
-    /// `a / b` as `a` times an inverse power, the inverse being a statement.
+    /// `a / b` as `a` times an inverse power, with the inverse as a statement.
     fn invert_divisors(&mut self, roots: &[Id], is_leaf: impl Fn(Id) -> bool) -> Vec<Id> {
         self.rebuild(roots, |graph, id, image| match *graph.node(id) {
             _ if is_leaf(id) => id,
@@ -144,7 +145,7 @@ impl Graph {
         })
     }
 
-    /// What a divisor is a power of.
+    /// The base and exponent of a divisor.
     fn whole_power(&self, id: Id) -> Power {
         let is_factor = |id: Id| {
             matches!(
@@ -161,8 +162,8 @@ impl Graph {
         powers[&id]
     }
 
-    /// A slope that all terms of a sum of squares will take up, as a statement: half of it, since
-    /// each square brings a factor of two.
+    /// A slope that all terms of a sum of squares will use, as a statement: half of it, since
+    /// each square contributes a factor of two.
     fn shared(&mut self, base: Id, slope: Id) -> Id {
         if self.is_early(slope) || !self.is_sum_of_squares(base) {
             return slope;
@@ -239,7 +240,7 @@ impl Graph {
             Node::Multiply(a, b) => {
                 vec![(a, self.multiply(slope, b)), (b, self.multiply(slope, a))]
             }
-            // by what is known early: all others are powers
+            // by a divisor known early: all others are powers
             Node::Divide(a, b) => vec![(a, self.divide(slope, b))],
             Node::Pivot(a, _) => {
                 // (1 / a)' = -(1 / a)^2 a'
@@ -294,7 +295,7 @@ impl Graph {
         for (guard, slope) in slopes {
             by_guard[guard] = slope;
         }
-        // inner branches come after those around them
+        // inner branches come after the enclosing ones
         for (branch, (around, condition)) in branches.iter().enumerate().rev() {
             let (first, second) = (by_guard[2 * branch + 1], by_guard[2 * branch + 2]);
             let chosen = self.select(*condition, first, second);

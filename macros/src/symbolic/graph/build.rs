@@ -1,13 +1,13 @@
 //! Simplifying constructors: the only way to make a node.
 //!
-//! What is known early is gathered: a product is written `early * late`, so that numbers fold and
+//! Factors known early are gathered: a product is written `early * late`, so numbers fold and
 //! parameters are multiplied once, in the constructor of the body. Signs move outwards until a sum
-//! absorbs them. No sum is multiplied out and no order of summation is changed beyond that: the
-//! form of the equations is the business of those who write them.
+//! absorbs them. Beyond that, no sum is multiplied out and no order of summation is changed: the
+//! form of the equations is the responsibility of their author.
 //!
-//! The rules are those of real numbers and hold wherever an expression has a value: `0 * x`,
-//! `x - x` and `0 / x` are zero, `x / x` and `x * (1 / x)` are one. Where it has none, `x` being
-//! zero or not a number, it may be given one.
+//! The rules are those of real numbers and hold wherever an expression has a value: `0 * x`, `x -
+//! x` and `0 / x` are zero, `x / x` and `x * (1 / x)` are one. Where it has none, because `x` is
+//! zero or NaN, it may be given one.
 
 use crate::symbolic::number::{Foreign, Function, Number, ORDERS, Table};
 
@@ -40,13 +40,13 @@ impl Graph {
         self.intern(Node::Truth(value))
     }
 
-    /// What has no value.
+    /// An expression without a value.
     pub fn undefined(&mut self) -> Id {
         self.intern(Node::Undefined)
     }
 
-    /// Makes `a` a statement of its own: what is built from it is built from its name. Symbols and
-    /// constants stay as they are, and a sign stays outside.
+    /// Makes `a` a statement: expressions built from it use its name. Symbols and
+    /// constants are unchanged, and a sign stays outside.
     pub fn quantity(&mut self, a: Id) -> Id {
         match *self.node(a) {
             Node::Undefined | Node::Symbol(_) | Node::Quantity(_) => a,
@@ -59,7 +59,7 @@ impl Graph {
         }
     }
 
-    /// What a quantity is, as part of what is built from it.
+    /// The content of a quantity, as part of an expression built from it.
     pub fn unnamed(&mut self, a: Id) -> Id {
         match *self.node(a) {
             Node::Quantity(inner) => inner,
@@ -96,7 +96,7 @@ impl Graph {
         }
     }
 
-    /// Makes `a`, sign and all, a statement of its own: a result that nothing is built from.
+    /// Makes `a`, including its sign, a statement: a result from which nothing is built.
     pub fn result(&mut self, a: Id) -> Id {
         match *self.node(a) {
             Node::Negate(_) if self.stage(a) != Stage::Constant => self.intern(Node::Quantity(a)),
@@ -105,7 +105,7 @@ impl Graph {
     }
 
     /// `1 / divisor`, guarded against a divisor that is nothing but rounding of terms of the size
-    /// `scale`; what is known early is checked where it is computed.
+    /// `scale`; a divisor known early is checked where it is computed.
     pub fn pivot(&mut self, divisor: Id, scale: Id) -> Id {
         if self.is_early(divisor) {
             let one = self.one();
@@ -114,7 +114,7 @@ impl Graph {
         self.checked_reciprocal(divisor, scale)
     }
 
-    /// The same of what is known early, too: it is not a number there.
+    /// The same also for a divisor known early: it gives NaN there.
     pub fn checked_reciprocal(&mut self, divisor: Id, scale: Id) -> Id {
         if self.as_number(divisor).is_some() {
             let one = self.one();
@@ -123,18 +123,18 @@ impl Graph {
         self.intern(Node::Pivot(divisor, scale))
     }
 
-    /// `1 / divisor` of what is [positive](Self::positive).
+    /// `1 / divisor` of a [positive](Self::positive) divisor.
     pub fn inverse_of_positive(&mut self, divisor: Id) -> Id {
         let (one, divisor) = (self.one(), self.positive(divisor));
         self.divide(one, divisor)
     }
 
-    /// The negative of `a`, if anybody made it.
+    /// The negative of `a`, if it already exists.
     pub fn negation_of(&self, a: Id) -> Option<Id> {
         self.find(&Node::Negate(a))
     }
 
-    /// Whether `a` is written with a leading minus, and what follows it.
+    /// Whether `a` is written with a leading minus, and the expression after it.
     pub fn split_sign(&mut self, a: Id) -> (bool, Id) {
         let negative = match self.node(a) {
             Node::Negate(_) => true,
@@ -178,7 +178,7 @@ impl Graph {
         self.integer(number * ORDERS)
     }
 
-    /// The table that this is the number of, or its derivative.
+    /// The table with this index, or its derivative.
     pub fn table(&self, number: Id) -> Option<Table> {
         let number = self.as_number(number)?.to_integer()?;
         let [number, order] = [number / ORDERS, number % ORDERS].map(usize::try_from);
@@ -268,7 +268,7 @@ impl Graph {
         }
     }
 
-    /// Constants that thousands of bits do not tell apart are taken for equal.
+    /// Constants that thousands of bits do not distinguish are taken as equal.
     pub fn compare(&mut self, comparison: Comparison, a: Id, b: Id) -> Id {
         let known = match (self.as_number(a), self.as_number(b)) {
             (Some(x), Some(y)) if (x.clone() - y.clone()).is_undecided() => {

@@ -1,8 +1,8 @@
-//! Differences that are written as products.
+//! Differences written as products.
 //!
-//! Two moments of inertia of a box differ by `m/12 (c^2 - b^2)`. Subtracted one from the other,
-//! they leave the rounding of both; as `m/12 (c - b) (c + b)`, that of the edges (`docs/trust.md`,
-//! H2). So it is with an edge that is a number, of which the difference takes more digits than a
+//! Two moments of inertia of a box differ by `m/12 (c^2 - b^2)`. Subtracted from each other, they
+//! leave the rounding of both; as `m/12 (c - b) (c + b)`, only that of the edges (`docs/trust.md`,
+//! H2). The same holds for an edge that is a number, if the difference takes more digits than a
 //! double has.
 
 use std::collections::BTreeMap;
@@ -11,13 +11,13 @@ use crate::symbolic::number::Number;
 
 use super::nodes::{Graph, Id, Node, Stage};
 
-/// A difference that takes more steps than these to multiply out is taken as it stands.
+/// A difference that takes more steps than these to multiply out is kept unchanged.
 const STEPS: usize = 1000;
 
-/// Factors that are not looked into, with their powers.
+/// Factors that are not descended into, with their powers.
 type Monomial = BTreeMap<Id, u32>;
 
-/// A term that is being multiplied out.
+/// A term in the course of multiplying out.
 #[derive(Clone)]
 struct Product {
     number: Number,
@@ -39,7 +39,7 @@ impl Graph {
         let mut left = terms.into_iter().filter(|(_, number)| !number.is_zero());
         let (x, factor) = left.next()?;
         let Some((y, opposite)) = left.next() else {
-            // all else cancels
+            // everything else cancels
             let (x, factor) = (self.monomial(&x), self.number(factor));
             return Some(self.multiply(factor, x));
         };
@@ -49,7 +49,7 @@ impl Graph {
         let common = shared(&x, &y);
         let first = (root(&x, &common)?, factor);
         let second = (root(&y, &common)?, opposite);
-        // factor common (x^2 - (scale y)^2), and what is a number comes last
+        // factor common (x^2 - (scale y)^2), with numbers last
         let ((x, factor), (y, opposite)) = if first.0.is_empty() {
             (second, first)
         } else {
@@ -65,7 +65,7 @@ impl Graph {
         Some(self.multiply(scale, product))
     }
 
-    /// `x - y`; of a number y, what its nearest double leaves of it comes last.
+    /// `x - y`; for a number y, the remainder after its nearest double comes last.
     fn apart(&mut self, x: Id, y: Id) -> Id {
         let Some(number) = self.as_number(y).cloned() else {
             return self.subtract(x, y);
@@ -145,7 +145,7 @@ fn shared(x: &Monomial, y: &Monomial) -> Monomial {
     both.collect()
 }
 
-/// The root of what a product has beside those factors.
+/// The root of the rest of a product without those factors.
 fn root(x: &Monomial, beside: &Monomial) -> Option<Monomial> {
     let rest = x
         .iter()

@@ -1,13 +1,13 @@
-//! The hash of nodes: short ones, of which there are many, and whoever makes them collide waits for
-//! it alone.
+//! The hash of nodes. Keys are short and numerous; a user who makes them collide only slows down
+//! their own build.
 
 use core::hash::Hasher;
 
-/// Turns and multiplies, word by word.
+/// Rotates and multiplies, word by word.
 #[derive(Clone, Copy, Default)]
 pub(in crate::symbolic) struct WordHasher(u64);
 
-/// Odd, its bits without a pattern: 2^64 over the golden ratio.
+/// Odd, with bits without a pattern: 2^64 over the golden ratio.
 const FACTOR: u64 = 0x9e37_79b9_7f4a_7c15;
 
 impl Hasher for WordHasher {

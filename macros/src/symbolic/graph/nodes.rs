@@ -1,8 +1,8 @@
 //! The expression graph: an arena of hash-consed nodes.
 //!
-//! Equal expressions are one node, children come before their parents, and nodes are made only by
-//! the simplifying constructors of [`super::build`]; a graph knows symbols as numbers and nothing
-//! of what they stand for.
+//! Equal expressions are one node, children precede their parents, and only the simplifying
+//! constructors of [`super::build`] make nodes. A graph knows symbols as numbers and not
+//! their meanings.
 
 use core::cmp::Ordering;
 use core::hash::BuildHasherDefault;
@@ -26,7 +26,7 @@ impl Id {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Symbol(pub u32);
 
-/// When the value of an expression is known.
+/// The stage at which the value of an expression is known.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Stage {
     /// At expansion: folded into the code.
@@ -66,9 +66,10 @@ pub enum Node {
     /// A constant that does not exist: a division by zero, the root of a negative number.
     Undefined,
     Symbol(Symbol),
-    /// An expression that stands for itself: a statement of the code, which no rule looks into.
+    /// An expression that is treated as atomic: a statement of the code, which no rule descends
+    /// into.
     Quantity(Id),
-    /// What is positive, as a mass is: where it is not, it is not a number.
+    /// A positive quantity, such as a mass: NaN where it is not positive.
     Positive(Id),
     Negate(Id),
     Add(Id, Id),
@@ -77,7 +78,7 @@ pub enum Node {
     Divide(Id, Id),
     Unary(Function, Id),
     Binary(Function, Id, Id),
-    /// A function from outside; arguments that it does not have are zero.
+    /// A function from outside; missing arguments are zero.
     Foreign(Foreign, [Id; Foreign::ARGUMENTS]),
     Compare(Comparison, Id, Id),
     And(Id, Id),
@@ -85,8 +86,8 @@ pub enum Node {
     Not(Id),
     /// `if condition { first } else { second }`
     Select(Id, Id, Id),
-    /// The reciprocal of a divisor that the configuration may make vanish, and the size of the
-    /// terms it was summed from: what is no more than their rounding is not divided by.
+    /// The reciprocal of a divisor that may vanish in some configuration, and the size of the
+    /// terms of its sum: a divisor no larger than their rounding is not used.
     Pivot(Id, Id),
 }
 
@@ -97,7 +98,7 @@ impl Node {
         operands.into_iter().take(count)
     }
 
-    /// The operands, left to right, and how many of the three places they take.
+    /// The operands, left to right, and the number of the three places that they take.
     fn operands_in_place(&self) -> ([Id; 3], usize) {
         match *self {
             Self::Number(_) | Self::Truth(_) | Self::Undefined | Self::Symbol(_) => ([ZERO; 3], 0),
@@ -119,7 +120,7 @@ impl Node {
         }
     }
 
-    /// The operation and its operands in words of their own, which nothing else has; not of numbers.
+    /// The operation and its operands as unique words; not for numbers.
     fn words(&self) -> u128 {
         let (operation, which): (u8, u32) = match *self {
             Self::Number(_) => (0, 0),
@@ -144,7 +145,7 @@ impl Node {
             Self::Positive(_) => (19, 0),
         };
         let ([a, b, c], _) = self.operands_in_place();
-        // three operands leave no place for more than the operation, and the 24 bits of a function
+        // three operands leave room for the operation and the 24 bits of a function only
         let last = if which == 0 { c.0 } else { which };
         let operands = u128::from(a.0) | u128::from(b.0) << 32 | u128::from(last) << 64;
         let foreign = match *self {
@@ -155,7 +156,7 @@ impl Node {
     }
 }
 
-/// What is found by words.
+/// The lookup by words.
 type ByWords<K> = HashMap<K, Id, BuildHasherDefault<WordHasher>>;
 
 /// All expressions of one description.
@@ -166,16 +167,16 @@ pub struct Graph {
     operations: ByWords<u128>,
     /// By their numbers.
     pub(super) tables: Vec<Table>,
-    /// The products of early factors that were asked for.
+    /// The requested products of early factors.
     pub(super) products: ByWords<[Id; 2]>,
-    /// The negatives that were asked for, by what they are negatives of.
+    /// The requested negatives, by their originals.
     pub(super) negatives: Vec<Option<Id>>,
     symbols: Vec<Id>,
-    /// Of the tensors whose axes were asked for.
+    /// The axes of tensors, where requested.
     pub(in crate::symbolic) spectra: HashMap<[Components; 3], Spectrum>,
 }
 
-/// The numbers that every graph begins with.
+/// The numbers at the beginning of every graph.
 pub(in crate::symbolic) const ZERO: Id = Id(0);
 pub(in crate::symbolic) const ONE: Id = Id(1);
 
@@ -231,12 +232,13 @@ impl Graph {
         self.symbols[symbol.0 as usize]
     }
 
-    /// The one node of this shape. Only constructors call it, on nodes that they cannot simplify.
+    /// The unique node of this shape. Only constructors call it, on nodes that they cannot
+    /// simplify.
     pub(in crate::symbolic) fn intern(&mut self, node: Node) -> Id {
         if let Some(id) = self.find(&node) {
             return id;
         }
-        // what comes from outside is not known at expansion
+        // functions from outside are unknown at expansion
         let least = match node {
             Node::Foreign(..) => Stage::Parameter,
             _ => Stage::Constant,
@@ -266,14 +268,14 @@ impl Graph {
         id
     }
 
-    /// All nodes that `roots` are made of, children first; `enter` says which are looked into.
+    /// All nodes of `roots`, children first; `enter` says which are descended into.
     pub fn reachable(&self, roots: &[Id], enter: impl Fn(Id) -> bool) -> Vec<Id> {
         let mut found = self.reached(roots, enter);
         found.sort_unstable();
         found
     }
 
-    /// The same, in no order that means anything.
+    /// The same, in arbitrary order.
     pub(in crate::symbolic) fn reached(&self, roots: &[Id], enter: impl Fn(Id) -> bool) -> Vec<Id> {
         let mut seen = vec![false; self.nodes.len()];
         let mut pending = roots.to_vec();
@@ -299,7 +301,7 @@ impl Graph {
             .any(|id| is_of_interest(*id))
     }
 
-    /// The number that an expression has folded to.
+    /// The number to which an expression has folded.
     pub fn as_number(&self, id: Id) -> Option<&Number> {
         match self.node(id) {
             Node::Number(number) => Some(number),

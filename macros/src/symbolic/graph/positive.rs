@@ -1,4 +1,4 @@
-//! What is positive, as masses and moments of inertia are.
+//! Positive quantities, such as masses and moments of inertia.
 
 use std::collections::HashMap;
 
@@ -6,7 +6,7 @@ use crate::symbolic::number::Function;
 
 use super::nodes::{Graph, Id, Node};
 
-/// What is known of the sign of an expression, wherever it has a value.
+/// The known sign of an expression, wherever it has a value.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Sign {
     Unknown,
@@ -15,9 +15,9 @@ enum Sign {
 }
 
 impl Graph {
-    /// `a`, and not a number where it is negative. What is known early is checked in the constructor
-    /// of the body, and what is no less than zero by its form needs no check: a division by zero is
-    /// not finite.
+    /// `a`, or NaN where it is negative. A value known early is checked in the constructor of the
+    /// body, and an expression that is nonnegative by its form needs no check: a division by zero
+    /// is not finite.
     pub fn positive(&mut self, a: Id) -> Id {
         if self.is_undefined(a) || self.is_early(a) || self.sign(a) != Sign::Unknown {
             return a;
@@ -25,7 +25,7 @@ impl Graph {
         self.intern(Node::Positive(a))
     }
 
-    /// The same as a line of its own, if it changes.
+    /// The same as a separate line, if it changes.
     pub fn positive_quantity(&mut self, a: Id) -> Id {
         if self.is_early(a) {
             return a;
@@ -34,7 +34,7 @@ impl Graph {
         self.quantity(positive)
     }
 
-    /// What is taken for positive, as it is written.
+    /// The expression under the check of positivity.
     pub fn unchecked(&self, a: Id) -> Id {
         match *self.node(a) {
             Node::Positive(inner) => inner,

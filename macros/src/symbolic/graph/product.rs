@@ -1,4 +1,4 @@
-//! Products and quotients: a product is written `early * late`, and there is no division by what is
+//! Products and quotients: a product is written `early * late`, and nothing is divided by a value
 //! known early.
 
 use crate::symbolic::number::Number;
@@ -169,7 +169,7 @@ impl Graph {
         }
     }
 
-    /// A quotient. What is known early is divided once; there is no division by it later.
+    /// A quotient. A divisor known early is inverted once; there is no division by it later.
     pub fn divide(&mut self, a: Id, b: Id) -> Id {
         if self.is_undefined(a) || self.is_one(b) {
             return a;

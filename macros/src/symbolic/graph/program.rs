@@ -4,14 +4,14 @@ use crate::symbolic::number::Function;
 
 use super::nodes::{Graph, Id, Node, Stage};
 
-/// Operations that one statement may hold before it is split.
+/// The limit of operations of one statement before it is split.
 const STATEMENT: u32 = 14;
 
 /// Straight-line code that computes `outputs`.
 pub struct Program {
-    /// The expressions that get a name, in order: an operand comes before its use.
+    /// The named expressions, in order: an operand precedes its use.
     pub statements: Vec<Id>,
-    /// What is computed.
+    /// The outputs.
     pub outputs: Vec<Id>,
     /// Expressions of an earlier stage that the code reads; symbols and numbers are not among them.
     pub hoisted: Vec<Id>,
@@ -23,13 +23,13 @@ pub struct Program {
 
 impl Graph {
     /// Schedules `outputs` for evaluation at `stage`. An expression becomes a statement if it is
-    /// a quantity, if it is used more than once, or if the statement it stands in would grow too
-    /// long. A condition is no number, so that none is kept from an earlier stage.
+    /// a quantity, if it is used more than once, or if the statement around it would grow too
+    /// long. A condition is no number, so none is kept from an earlier stage.
     pub fn schedule(&self, outputs: &[Id], stage: Stage) -> Program {
         self.schedule_where(outputs, |id| self.stage(id) == stage)
     }
 
-    /// The same of all that `is_due`.
+    /// The same for all expressions for which `is_due` holds.
     pub fn schedule_where(&self, outputs: &[Id], is_due: impl Fn(Id) -> bool) -> Program {
         let is_leaf = |id: Id| self.node(id).operands().next().is_none();
         let is_condition = |id: Id| {
@@ -56,7 +56,7 @@ impl Graph {
         }
     }
 
-    /// Those of `nodes`, which are all that are `computed`, that get a name.
+    /// Those of `nodes`, which are all `computed` ones, that get a name.
     fn statements(&self, nodes: &[Id], outputs: &[Id], computed: impl Fn(Id) -> bool) -> Vec<Id> {
         let operands = |id: Id| self.node(id).operands().filter(|id| computed(*id));
         let mut uses = vec![0_u32; nodes.last().map_or(0, |last| last.index() + 1)];
@@ -72,7 +72,7 @@ impl Graph {
             let negates = matches!(self.node(id), Node::Negate(_));
             let is_named = |inner: Id| statements.binary_search(&inner).is_ok();
             if is_quantity && self.node(id).operands().any(is_named) {
-                // another name for what is a statement already
+                // another name for an existing statement
                 continue;
             }
             let weight = inlined + u32::from(!negates && !is_quantity);
@@ -86,7 +86,7 @@ impl Graph {
         statements
     }
 
-    /// The cosine of what `id` is the sine of, or the other way round, if it was made.
+    /// The cosine for the sine `id`, or the reverse, if it exists.
     pub fn other_half(&self, id: Id) -> Option<Id> {
         match *self.node(id) {
             Node::Unary(Function::Sin, angle) => self.find(&Node::Unary(Function::Cos, angle)),

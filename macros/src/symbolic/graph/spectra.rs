@@ -1,4 +1,4 @@
-//! What tensors of numbers are in axes of their own, found once.
+//! Tensors of numbers in their principal axes, each computed once.
 
 use crate::symbolic::number::{Matrix, Spectrum};
 
@@ -12,7 +12,7 @@ impl Graph {
         Some([row(0)?, row(1)?, row(2)?])
     }
 
-    /// What a tensor of numbers is in axes of its own, found once.
+    /// A tensor of numbers in its principal axes, computed once.
     pub fn spectrum(&mut self, rows: &[Components; 3]) -> Option<Spectrum> {
         if let Some(known) = self.spectra.get(rows) {
             return Some(known.clone());

@@ -1,4 +1,4 @@
-//! Sums: like terms are collected, common early factors are taken out, what is known early is
+//! Sums: like terms are collected, common early factors are taken out, early terms are
 //! gathered, and signs become subtractions.
 
 use crate::symbolic::number::Number;
@@ -143,7 +143,7 @@ impl Graph {
         }
     }
 
-    /// A sum of which the terms have nothing to do with each other; signs become subtractions.
+    /// A sum of unrelated terms; signs become subtractions.
     fn add_signed(&mut self, a: Id, b: Id) -> Id {
         let ((negative_a, x), (negative_b, y)) = (self.split_sign(a), self.split_sign(b));
         match (negative_a, negative_b) {
@@ -157,7 +157,7 @@ impl Graph {
         }
     }
 
-    /// `x - y`; where `y - x` exists already, its negative.
+    /// `x - y`; if `y - x` exists already, its negative.
     fn subtract_apart(&mut self, x: Id, y: Id) -> Id {
         match self.find(&Node::Subtract(y, x)) {
             Some(opposite) => self.intern(Node::Negate(opposite)),
@@ -170,7 +170,7 @@ impl Graph {
         self.add(a, negated)
     }
 
-    /// Sum of many terms: what is known early is added first.
+    /// Sum of many terms: early terms are added first.
     pub fn sum(&mut self, terms: &[Id]) -> Id {
         let mut sum = self.zero();
         let (early, late): (Vec<Id>, Vec<Id>) =
@@ -181,7 +181,7 @@ impl Graph {
         sum
     }
 
-    /// `(c, x)` of a term `c x` that is added to terms `d x`: in front of parameters, `c` is a
+    /// `(c, x)` of a term `c x` that is added to terms `d x`: before parameters, `c` is a
     /// number.
     fn split_coefficient(&mut self, a: Id) -> (Id, Id) {
         let one = self.one();

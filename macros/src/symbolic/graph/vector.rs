@@ -13,7 +13,7 @@ impl Graph {
         a.iter().all(|component| self.is_zero(*component))
     }
 
-    /// Makes each component a statement of its own.
+    /// Makes each component a statement.
     pub fn quantities(&mut self, a: Components) -> Components {
         a.map(|component| self.quantity(component))
     }
@@ -70,7 +70,7 @@ impl Graph {
         matrix.map(|row| self.dot(row, a))
     }
 
-    /// Whether a vector has no component but along this axis.
+    /// Whether only the component along this axis is nonzero.
     pub fn is_along(&self, a: Components, axis: usize) -> bool {
         (0..3).all(|other| other == axis || self.is_zero(a[other]))
     }
@@ -84,9 +84,8 @@ impl Graph {
         ]
     }
 
-    /// `factor` times a sum, taken into the sum where that costs no operation: an early term is
-    /// multiplied early, and terms with an early factor of their own take it up, if at most one
-    /// term has none.
+    /// `factor` times a sum, distributed over the sum where that costs no operation: an early term
+    /// is multiplied early, and terms with an early factor absorb it, if at most one term has none.
     pub fn distribute(&mut self, factor: Id, a: Id) -> Id {
         let (early, late) = self.split_term(a);
         let early = self.multiply(factor, early);

@@ -1,10 +1,10 @@
-//! Which equations can be solved before others: sets that have a part in as many unknowns alone.
+//! Sets of equations that can be solved before others: those with as many unknowns as equations.
 
 use super::system::System;
 
 impl System<'_> {
-    /// The smallest of them: its rows, and its unknowns in order. Nothing if each set of rows has a
-    /// part in more unknowns than it has rows.
+    /// The smallest such set: its rows, and its unknowns in order. None if each set of rows
+    /// involves more unknowns than it has rows.
     pub(super) fn first_block(&self) -> Option<(Vec<usize>, Vec<usize>)> {
         let matched = self.matching();
         let closed = matched
@@ -18,7 +18,7 @@ impl System<'_> {
         Some((rows, columns))
     }
 
-    /// A row, and the rows that give what else it has a part in; nothing if no row gives it.
+    /// A row, and the rows that give its other unknowns; none if no row gives one of them.
     fn closure(&self, row: usize, matched: &[(usize, usize)]) -> Option<Vec<usize>> {
         let mut rows = vec![row];
         let mut next = 0;
@@ -34,7 +34,7 @@ impl System<'_> {
         Some(rows)
     }
 
-    /// Unknowns with a row for each in which it has a part, as many as there can be.
+    /// Assigns to as many unknowns as possible a row that contains them.
     fn matching(&self) -> Vec<(usize, usize)> {
         let mut matched = Vec::new();
         for row in &self.left {
@@ -43,7 +43,7 @@ impl System<'_> {
         matched
     }
 
-    /// Finds an unknown for a row; others may have to take another one.
+    /// Finds an unknown for a row; other rows may be reassigned.
     fn match_one(
         &self,
         row: usize,

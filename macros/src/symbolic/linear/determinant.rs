@@ -1,13 +1,13 @@
-//! Equations that are solved at once, by Cramer's rule, where no coefficient can be told to be a
+//! Equations solved at once, by Cramer's rule, if no coefficient is a safe
 //! pivot: only their determinant is divided by.
 //!
 //! ```text
 //! x_j = sum of C_ij b_i / det A       C_ij: cofactors;  det A = sum of a_0j C_0j
 //! ```
 //!
-//! A coefficient that depends on the state, or on parameters, may be zero where the equations are
-//! regular; their determinant is not. It is compared with the largest of its products, so that what
-//! is nothing but rounding is not divided by.
+//! A coefficient that depends on the state, or on parameters, may be zero although the equations
+//! are regular; their determinant is not. It is compared with the largest of its products, so a
+//! determinant that is nothing but rounding is not used.
 
 use std::collections::HashMap;
 
@@ -17,7 +17,7 @@ use crate::symbolic::zeros::Sample;
 
 use super::system::{Equation, System};
 
-/// The most equations that are solved at once: elimination has less to multiply.
+/// The limit of equations solved at once: beyond it, elimination multiplies less.
 const MOST: usize = 6;
 
 /// A determinant, and its value at the random state.
@@ -26,11 +26,11 @@ type Entry = (Id, Sample);
 /// The determinants of some rows and columns, by these.
 type Minors = HashMap<(Vec<usize>, Vec<usize>), Entry>;
 
-/// The sizes of determinants, by the same.
+/// The sizes of determinants, in the same way.
 type Sizes = HashMap<(Vec<usize>, Vec<usize>), Id>;
 
 impl System<'_> {
-    /// Solves the smallest set of equations that have a part in as many unknowns alone, if there is
+    /// Solves the smallest set of equations that involves equally many unknowns, if there is
     /// one, and its determinant vanishes on no branch.
     pub(super) fn solve_block(&mut self) -> bool {
         let Some((rows, columns)) = self.first_block() else {
@@ -51,7 +51,7 @@ impl System<'_> {
         }
         let size = self.size(&mut Sizes::new(), &rows, &columns);
         let inverse = self.graph.checked_reciprocal(determinant, size);
-        // what is solved for already is on the left still
+        // unknowns that are already solved for are still on the left
         let solved: Vec<usize> = (0..self.rows[rows[0]].coefficients.len())
             .filter(|column| !columns.contains(column))
             .collect();
@@ -77,7 +77,7 @@ impl System<'_> {
         true
     }
 
-    /// What each row is multiplied by, so that of the unknowns the one in this place is left.
+    /// The factors of the rows that leave only the unknown at this place.
     fn cofactors(
         &mut self,
         known: &mut Minors,
@@ -109,8 +109,8 @@ impl System<'_> {
         sum
     }
 
-    /// The determinant of these rows and columns, along its first row; what is proved to vanish is
-    /// left out.
+    /// The determinant of these rows and columns, expanded along its first row; terms proved to
+    /// vanish are left out.
     fn minor(&mut self, known: &mut Minors, rows: &[usize], columns: &[usize]) -> Entry {
         let first = &self.rows[rows[0]];
         if let [column] = *columns {

@@ -1,14 +1,14 @@
 //! Linear equations with expressions as coefficients, solved by elimination.
 //!
-//! What vanishes is proved: every row carries its coefficients at one random state, on each branch, and
-//! they are eliminated along with it. Pivots are what vanishes on no branch, and of these ones before
-//! numbers before what is positive by its structure, there first what is known early; a division by
-//! what depends on the configuration is guarded ([`Graph::pivot`]). Where all that is left may
-//! vanish in some state, or for some parameters, though the equations are regular there, no pivot is
-//! chosen: [`super::determinant`].
+//! Zeros are proved: every row carries its coefficients at one random state, on each branch, and
+//! they are eliminated along with it. A pivot vanishes on no branch. Ones are preferred to numbers,
+//! and numbers to expressions that are positive by their structure, among these early ones first. A
+//! division that depends on the configuration is guarded ([`Graph::pivot`]). If all remaining
+//! coefficients may vanish in some state, or for some parameters, although the equations are
+//! regular there, no pivot is chosen: [`super::determinant`].
 //!
-//! An equation that says nothing on some branch has the solution zero there for the unknown that it is
-//! solved for.
+//! If an equation is trivial on some branch, the unknown that it is solved for is zero
+//! there.
 
 use crate::symbolic::graph::Graph;
 use crate::symbolic::number::Number;
@@ -16,14 +16,14 @@ use crate::symbolic::number::Number;
 use super::sizes::Size;
 use super::system::{Elimination, Equation, System};
 
-/// What may be a pivot, the best first.
+/// Kinds of pivots, the best first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     One,
     Number,
     EarlySquares,
     Squares,
-    /// It may vanish in some state or for some parameters, or is small beside others.
+    /// It may vanish in some state or for some parameters, or is small compared with others.
     Unsafe,
 }
 
@@ -34,7 +34,7 @@ impl Kind {
     }
 }
 
-/// So many times as large as a pivot, another coefficient of its unknown makes it small.
+/// A coefficient is small if another one of its unknown is this many times as large.
 const LARGE: i64 = 1000;
 
 impl Graph {
@@ -63,7 +63,7 @@ impl Graph {
 }
 
 impl System<'_> {
-    /// Keeps what the elimination of sums of squares has made, once none is left.
+    /// Keeps the results of eliminating sums of squares, once none is left.
     fn reduce_sizes(&mut self) {
         let open: Vec<usize> = self.open().collect();
         let is_square = |row: &usize| {
@@ -120,7 +120,8 @@ impl System<'_> {
         }
     }
 
-    /// Whether a coefficient is small beside others of its unknown; what is no number counts as one.
+    /// Whether a coefficient is small compared with others of its unknown; a coefficient that is no
+    /// number counts as one.
     fn is_small(&self, number: &Number, row: usize, column: usize) -> bool {
         let others = self.left.iter().filter(|other| **other != row);
         let mut others = others.map(|other| self.rows[*other].coefficients[column]);

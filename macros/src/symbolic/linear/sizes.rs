@@ -1,22 +1,22 @@
-//! How large what is divided by has to be.
+//! The size required of a divisor.
 
 use crate::symbolic::graph::{Graph, Id};
 use crate::symbolic::number::Function;
 
-/// What a coefficient is compared with before it is divided by.
+/// The reference size of a coefficient before a division by it.
 #[derive(Clone, Copy, Debug)]
 pub enum Size {
     /// It is a sum of squares, and remains positive if others are eliminated: it is compared with
-    /// itself as it was.
+    /// its original value.
     Squares,
-    /// It is a product of two vectors, with the product of their lengths.
+    /// It is a product of two vectors, compared with the product of their lengths.
     Product(Id),
     /// It is compared with the largest of its terms.
     Terms,
-    /// The same; and if it were a pivot, sums of squares that are left would remain positive no longer.
+    /// The same; and as a pivot, it would make remaining sums of squares lose their positivity.
     Beside,
     /// Once all sums of squares are eliminated it is minus one, and remains negative if others are
-    /// eliminated: it is compared with itself as it was then.
+    /// eliminated: it is compared with its value at that point.
     Reduced,
 }
 

@@ -1,4 +1,4 @@
-//! Linear equations that are being solved, and one step of their elimination.
+//! Linear equations in the course of solution, and one step of their elimination.
 
 use crate::symbolic::graph::{Graph, Id, Node};
 use crate::symbolic::zeros::Sample;
@@ -12,50 +12,50 @@ pub struct Equation {
     pub right: Id,
     /// The coefficients at a random state.
     pub sample: Vec<Sample>,
-    /// Where it says something, if that is not everywhere.
+    /// The branches on which it is not trivial, if not all.
     pub active: Option<Id>,
-    /// What is known of each coefficient.
+    /// The known properties of each coefficient.
     pub sizes: Vec<Size>,
 }
 
-/// What equations say of their unknowns.
+/// The solution of equations for their unknowns.
 pub struct Elimination {
     /// The value of each unknown; that of an undetermined one is zero.
     pub values: Vec<Id>,
-    /// The guarded reciprocals, each with the unknown that it gives.
+    /// The guarded reciprocals, each with its unknown.
     pub pivots: Vec<(usize, Id)>,
     /// The unknowns that the equations do not determine.
     pub undetermined: Vec<Undetermined>,
-    /// The rows that are left over, with what is left of their right sides.
+    /// The remaining rows, with the remainder of their right sides.
     pub spare: Vec<(usize, Id)>,
 }
 
 /// An unknown that is determined only together with others.
 pub struct Undetermined {
     pub column: usize,
-    /// Those that can do all that it does.
+    /// The unknowns that can replace it.
     pub others: Vec<usize>,
-    /// A sum that is determined, of unknowns with factors, itself among them; by itself if there are
+    /// A determined sum of unknowns with factors, including itself; itself alone if there are
     /// no others.
     pub sum: Vec<(usize, Id)>,
 }
 
-/// Equations that are being solved.
+/// Equations in the course of solution.
 pub(super) struct System<'g> {
     pub graph: &'g mut Graph,
     pub rows: Vec<Equation>,
-    /// The coefficients as they were written.
+    /// The coefficients as written.
     pub written: Vec<Vec<Id>>,
     pub unknowns: usize,
-    /// The rows that nothing is solved for yet.
+    /// The rows that are not solved yet.
     pub left: Vec<usize>,
-    /// Whether sums of squares are eliminated, and what that made is among `written`.
+    /// Whether sums of squares are eliminated, and the result of that is among `written`.
     pub is_reduced: bool,
     pub steps: Vec<Step>,
     pub pivots: Vec<(usize, Id)>,
 }
 
-/// A row that is solved for an unknown, and one over its coefficient.
+/// A row solved for an unknown, and the reciprocal of its coefficient.
 pub(super) struct Step {
     pub row: usize,
     pub column: usize,
@@ -63,7 +63,7 @@ pub(super) struct Step {
 }
 
 impl System<'_> {
-    /// The unknowns that nothing gives yet.
+    /// The unknowns that are not solved yet.
     pub(super) fn open(&self) -> impl Iterator<Item = usize> {
         let is_open = |column: &usize| self.steps.iter().all(|step| step.column != *column);
         (0..self.unknowns).filter(is_open)
@@ -73,7 +73,7 @@ impl System<'_> {
         !self.rows[row].sample[column].is_zero()
     }
 
-    /// Solves a row for an unknown, which drops out of the others.
+    /// Solves a row for an unknown, which is eliminated from the others.
     pub(super) fn eliminate(&mut self, row: usize, column: usize) {
         let divisor = self.rows[row].coefficients[column];
         let divisor = match self.rows[row].active {
@@ -99,7 +99,7 @@ impl System<'_> {
         }
     }
 
-    /// This row gives this unknown, by one over its coefficient.
+    /// This row gives this unknown, by the reciprocal of its coefficient.
     pub(super) fn give(&mut self, row: usize, column: usize, inverse: Id) {
         self.left.retain(|other| *other != row);
         let is_new = self.pivots.iter().all(|(_, known)| *known != inverse);
@@ -113,7 +113,7 @@ impl System<'_> {
         });
     }
 
-    /// Takes a multiple of the row of a pivot from another, so that its unknown drops out.
+    /// Subtracts a multiple of a pivot's row from another row, to eliminate its unknown.
     fn reduce(&mut self, (row, column): (usize, usize), other: usize, inverse: Id) {
         let (graph, rows) = (&mut *self.graph, &mut self.rows);
         if rows[other].sample[column].is_zero() {

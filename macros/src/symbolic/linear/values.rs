@@ -1,16 +1,16 @@
-//! The values of the unknowns, once all equations that can be are solved for one.
+//! The values of the unknowns, once all possible equations are solved.
 
 use crate::symbolic::graph::{Graph, Id};
 
 use super::system::{Elimination, System, Undetermined};
 
 impl System<'_> {
-    /// The values, each after those that it is made of.
+    /// The values, each after those in it.
     pub(super) fn values(mut self) -> Elimination {
         let zero = self.graph.zero();
         let mut values = vec![zero; self.unknowns];
         let open: Vec<usize> = self.open().collect();
-        // what an undetermined unknown changes in those that are solved for
+        // the effect of an undetermined unknown on the solved ones
         let mut changes = vec![vec![zero; self.unknowns]; open.len()];
         for (change, column) in changes.iter_mut().zip(&open) {
             change[*column] = self.graph.one();
@@ -52,7 +52,7 @@ impl System<'_> {
         }
     }
 
-    /// The steps, each after those whose unknowns it reads, else as they were taken.
+    /// The steps, each after those whose unknowns it reads, otherwise in their order.
     fn order(&self) -> Vec<usize> {
         let reads = |step: &usize, other: &usize| {
             let coefficients = &self.rows[self.steps[*step].row].coefficients;
@@ -70,7 +70,7 @@ impl System<'_> {
         order
     }
 
-    /// `u_c - sum of (du_c / du_j) u_j`, of the first unknown c that this one changes.
+    /// `u_c - sum of (du_c / du_j) u_j`, for the first unknown c that this one changes.
     fn together(&mut self, column: usize, open: &[usize], changes: &[Vec<Id>]) -> Undetermined {
         let own = open.iter().position(|known| *known == column);
         let is_changed = |of: &usize| {

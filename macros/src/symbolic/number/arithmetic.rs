@@ -17,12 +17,12 @@ impl Number {
         }
     }
 
-    /// `None` for a division by zero, or by what cannot be told from it.
+    /// `None` for a division by zero, or by a number that cannot be distinguished from it.
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
         (!divisor.is_zero() && !divisor.is_undecided()).then(|| self.clone() / divisor.clone())
     }
 
-    /// A whole power.
+    /// An integer power.
     pub(in crate::symbolic) fn power(&self, exponent: i64) -> Option<Self> {
         let (mut power, mut square) = (Self::one(), self.clone());
         for bit in 0..i64::BITS - exponent.unsigned_abs().leading_zeros() {
@@ -127,7 +127,7 @@ impl Ord for Number {
     }
 }
 
-/// Of different numbers; if nobody knows the sign of their difference, some order.
+/// For different numbers; an arbitrary order if the sign of their difference is unknown.
 fn order_of_irrationals(a: &Number, b: &Number) -> Ordering {
     let difference = a.clone() - b.clone();
     if difference.is_undecided() {

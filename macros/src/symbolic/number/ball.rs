@@ -1,4 +1,4 @@
-//! Values, and how far they may be off.
+//! Values with error bounds.
 
 use dashu_float::round::mode::HalfEven;
 use dashu_int::ops::BitTest;
@@ -7,10 +7,10 @@ use dashu_ratio::RBig;
 use super::float::Float;
 use super::function::Function;
 
-/// The error of a rational number, which has none.
+/// The error of a rational number: none.
 pub(in crate::symbolic) const NONE: isize = isize::MIN / 4;
 
-/// A value, and the power of two by which it is off at most.
+/// A value, and a power of two that bounds its error.
 #[derive(Clone, Debug)]
 pub(in crate::symbolic) struct Ball {
     pub value: RBig,
@@ -25,7 +25,7 @@ impl Ball {
         Self { value, error }
     }
 
-    /// Of a function that is right to the last bit or two.
+    /// The result of a function that is accurate to the last bit or two.
     pub fn of_float(value: Float, error: isize, bits: usize) -> Option<Self> {
         let value = RBig::try_from(value).ok()?;
         let error = error.max(size(&value) - bits.cast_signed() + 1) + 1;
@@ -58,7 +58,7 @@ impl Ball {
         Some(Self { value, error })
     }
 
-    /// Bits of the value that are right.
+    /// The number of correct bits of the value.
     pub fn bits(&self) -> isize {
         if self.value.is_zero() {
             isize::MIN
@@ -102,7 +102,7 @@ impl Ball {
     }
 }
 
-/// The exponent of two, to one.
+/// The exponent of two, within one.
 pub(in crate::symbolic) fn size(value: &RBig) -> isize {
     value.numerator().bit_len().cast_signed() - value.denominator().bit_len().cast_signed()
 }

@@ -1,7 +1,7 @@
 //! Eigenvalues and eigenvectors of a symmetric matrix of numbers.
 //!
 //! A repeated eigenvalue of rational entries is rational, and so is the direction of the other:
-//! both are found exactly, and equal are eigenvalues that are proved to be. Three different ones
+//! both are found exactly. Eigenvalues count as equal only if that is proved. Three different ones
 //! come from Jacobi's method at [`WORKING`] bits.
 
 use super::exact::Number;
@@ -10,16 +10,17 @@ use super::float::Float;
 /// A symmetric matrix, by rows.
 pub type Matrix = [[Number; 3]; 3];
 
-/// Bits of the iteration: a double is still rounded right where two eigenvalues agree to 60 digits.
+/// Bits of the iteration: doubles are still rounded correctly if two eigenvalues agree to 60
+/// digits.
 const WORKING: usize = 512;
-/// Sweeps through the three planes. From 8 on, each of the last ones doubles the digits.
+/// The limit of sweeps through the three planes. After 8, each sweep doubles the digits.
 const SWEEPS: usize = 24;
-/// Bits of it that are right.
+/// The number of its correct bits.
 const RIGHT: usize = 480;
 /// Components of a unit vector below 2 to the minus this may be zero.
 const SMALL: isize = 200;
 
-/// What a symmetric matrix is in axes of its own.
+/// A symmetric matrix in its principal axes.
 #[derive(Clone, Debug)]
 pub enum Spectrum {
     /// `lambda 1`
@@ -29,7 +30,7 @@ pub enum Spectrum {
 }
 
 /// Three different eigenvalues, and their unit vectors: right-handed, each nearest to the
-/// coordinate axis of its place.
+/// coordinate axis with its index.
 #[derive(Clone, Debug)]
 pub struct PrincipalAxes {
     pub moments: [Number; 3],
@@ -121,7 +122,7 @@ fn unit(k: usize) -> [Number; 3] {
     core::array::from_fn(|i| Number::integer(i64::from(i == k)))
 }
 
-/// A vector over its largest component, and that component.
+/// A vector divided by its largest component, and that component.
 pub fn scaled(vector: &[Number; 3]) -> ([Number; 3], Number) {
     let mut largest = vector[0].clone();
     for component in vector {
@@ -136,9 +137,9 @@ pub fn scaled(vector: &[Number; 3]) -> ([Number; 3], Number) {
     (ratios, largest)
 }
 
-/// The eigenvalue that a matrix which is not diagonal has twice, if it has one: what is left on the
-/// diagonal of `lambda 1 + delta n n` if
-/// `delta n_i^2 = (delta n_i n_j) (delta n_k n_i) / (delta n_j n_k)` is taken off.
+/// The repeated eigenvalue of a non-diagonal matrix, if it has one: the remainder of the
+/// diagonal of `lambda 1 + delta n n` after subtracting
+/// `delta n_i^2 = (delta n_i n_j) (delta n_k n_i) / (delta n_j n_k)`.
 fn repeated(matrix: &Matrix) -> Option<Number> {
     let product = |i: usize, j: usize| &matrix[i][j];
     let zeros = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| product(i, j).is_zero());
@@ -170,8 +171,8 @@ fn repeated(matrix: &Matrix) -> Option<Number> {
     }
 }
 
-/// Turns two axes after the other so that the product between them vanishes, by at most 45 degrees
-/// each, until none is left.
+/// Rotates pairs of axes so that the product between them vanishes, by at most 45 degrees
+/// each, until none remains.
 fn jacobi(matrix: &Matrix) -> PrincipalAxes {
     let mut j = [0, 1, 2].map(|i| [0, 1, 2].map(|k| matrix[i][k].to_float(WORKING)));
     let mut axes =
@@ -204,8 +205,8 @@ fn jacobi(matrix: &Matrix) -> PrincipalAxes {
     nearest(&[x, y, z].map(measured), &axes)
 }
 
-/// An eigenvector n with what is exact of it: a component that is zero, and two that are equal but
-/// for their sign.
+/// An eigenvector n with its exact properties: a component that is zero, and two that are equal up
+/// to their sign.
 fn related(matrix: &Matrix, mut n: [Number; 3]) -> [Number; 3] {
     let is_small = |number: &Number| number.abs() < Number::power_of_two(-SMALL);
     for i in 0..3 {
@@ -216,7 +217,7 @@ fn related(matrix: &Matrix, mut n: [Number; 3]) -> [Number; 3] {
             if is_small(&n[i]) {
                 n[i] = Number::zero();
             }
-            // of a block [[a, b], [b, a]], they are (1, 1) and (1, -1)
+            // for a block [[a, b], [b, a]], they are (1, 1) and (1, -1)
             if n[i].is_zero() && to_j == to_k && is_equal && !is_small(&n[j]) {
                 let opposite = n[j].is_negative() != n[k].is_negative();
                 n[k] = if opposite {
@@ -226,7 +227,7 @@ fn related(matrix: &Matrix, mut n: [Number; 3]) -> [Number; 3] {
                 };
             }
         } else if !is_small(&n[i]) {
-            // J stays as it is where j and k change places, and so does n
+            // J is unchanged if j and k change places, and so is n
             if is_equal && !is_small(&n[j]) {
                 n[k] = (to_k.clone() / to_j.clone()) * n[j].clone();
             }
@@ -241,8 +242,8 @@ fn related(matrix: &Matrix, mut n: [Number; 3]) -> [Number; 3] {
     n
 }
 
-/// `n_k / n_j` of an eigenvector with `n_i = 0`, if there is one and i is no axis of its own:
-/// `(J n)_i = 0` leaves it one direction.
+/// `n_k / n_j` of an eigenvector with `n_i = 0`, if there is one and i is not itself a principal
+/// axis: `(J n)_i = 0` leaves it one direction.
 fn zero_component(matrix: &Matrix, i: usize) -> Option<Number> {
     let (j, k) = ((i + 1) % 3, (i + 2) % 3);
     let ratio = (-matrix[i][j].clone()).checked_div(&matrix[i][k])?;
@@ -252,8 +253,8 @@ fn zero_component(matrix: &Matrix, i: usize) -> Option<Number> {
         .then_some(ratio)
 }
 
-/// Cosine and sine of the turn that makes the entry `(a, b)` vanish, unless it is nothing beside
-/// the diagonal.
+/// Cosine and sine of the rotation that makes the entry `(a, b)` vanish, unless it is negligible
+/// compared with the diagonal.
 fn annihilating(j: &[[Float; 3]; 3], a: usize, b: usize) -> Option<(Float, Float)> {
     let zero = Float::ZERO;
     let product = j[a][b].clone();
@@ -281,7 +282,7 @@ fn magnitude(a: Float) -> Float {
     if a < Float::ZERO { -a } else { a }
 }
 
-/// The columns `a` and `b` of a row, turned.
+/// The columns `a` and `b` of a row, rotated.
 fn turn(row: &mut [Float; 3], a: usize, b: usize, cosine: &Float, sine: &Float) {
     let (x, y) = (row[a].clone(), row[b].clone());
     row[a] = cosine * &x - sine * &y;
@@ -293,8 +294,8 @@ fn transposed([x, y, z]: [[Float; 3]; 3]) -> [[Float; 3]; 3] {
     [[a, d, g], [b, e, h], [c, f, i]]
 }
 
-/// Puts each axis in the place of the coordinate axis it is nearest to, and turns it to its side;
-/// the least certain of them, if need be, to the other, so that they are right-handed.
+/// Assigns each axis to the nearest coordinate axis, and orients it that way;
+/// the least certain of them is reversed if necessary, so that they are right-handed.
 fn nearest(moments: &[Number; 3], axes: &[[Number; 3]; 3]) -> PrincipalAxes {
     const ORDERS: [[usize; 3]; 6] = [
         [0, 1, 2],

@@ -1,7 +1,7 @@
-//! Numbers as they stand in a description: exact rationals, from the token to the one rounding.
+//! Numbers of a description: exact rationals, from the token to the single rounding.
 //!
-//! Sums, products and quotients of literals are exact. What is not rational carries its value, how
-//! far it may be off, and by which identities it is known ([`super::irrational`]): it is zero, or
+//! Sums, products and quotients of literals are exact. An irrational number carries its value, an
+//! error bound, and the identities that define it ([`super::irrational`]): it is zero, or
 //! another rational, only by proof, never because it is small.
 
 use core::cell::RefCell;
@@ -21,36 +21,36 @@ const DECIMAL_EXPONENTS: i64 = 5000;
 /// Bits beyond which a number is not carried at all.
 const SIZE: usize = 1 << 16;
 
-/// A rational number, or a rational near to a number that is not.
+/// A rational number, or a rational near an irrational number.
 #[derive(Clone, Debug)]
 pub struct Number {
     pub(in crate::symbolic) value: RBig,
     pub(in crate::symbolic) kind: Kind,
 }
 
-/// What the value of a number is.
+/// The meaning of the value of a number.
 #[derive(Clone, Debug)]
 pub(in crate::symbolic) enum Kind {
     /// The number itself.
     Rational,
-    /// Near to a number that is known by other means.
+    /// Near a number that is defined by other means.
     Irrational(Rc<Irrational>),
 }
 
-/// What is known of a number beside its value.
+/// The definition of a number beyond its value.
 #[derive(Debug)]
 pub(in crate::symbolic) struct Irrational {
     pub residue: Residue,
-    /// Its value is off by less than 2 to this.
+    /// The error of its value is below 2 to this power.
     pub error: isize,
     pub term: Term,
-    /// How many operations it takes to compute it again.
+    /// The number of operations to compute it again.
     pub cost: usize,
-    /// What it was, each time it was: with so many bits.
+    /// Its computed values, each with its number of bits.
     pub again: RefCell<Vec<(usize, Option<Ball>)>>,
 }
 
-/// How a number is computed with more bits.
+/// The way to compute a number with more bits.
 #[derive(Clone, Debug)]
 pub enum Term {
     Pi,
@@ -58,7 +58,7 @@ pub enum Term {
     Product(Number, Number),
     Quotient(Number, Number),
     Value(Function, Number),
-    /// Not at all: it is as near as it will be.
+    /// None: it is as accurate as possible.
     Kept,
 }
 
@@ -127,7 +127,7 @@ impl Number {
         Some(Self::from(RBig::from(integer)) * Self::power_of_ten(scale))
     }
 
-    /// The value of a double, exactly; of one that is not finite, zero.
+    /// The exact value of a double; zero for a non-finite one.
     pub fn from_f64(value: f64) -> Self {
         Self::from(RBig::try_from(value).unwrap_or(RBig::ZERO))
     }
@@ -162,7 +162,7 @@ impl Number {
         (!self.is_rounded()).then_some((above, below))
     }
 
-    /// Whether its value is only near to it.
+    /// Whether its value is only an approximation.
     pub fn is_rounded(&self) -> bool {
         !matches!(self.kind, Kind::Rational)
     }
@@ -178,7 +178,7 @@ impl Number {
         ]
     }
 
-    /// The nearest double: the one rounding of a constant. Infinite beyond the range of doubles.
+    /// The nearest double: the single rounding of a constant. Infinite beyond the range of doubles.
     pub fn to_f64(&self) -> f64 {
         self.value.to_f64().value()
     }
@@ -194,7 +194,7 @@ impl Number {
         nearest.is_finite() && (nearest != 0.0 || self.is_zero())
     }
 
-    /// The root, if it is a ratio of whole numbers.
+    /// The root, if it is a ratio of integers.
     pub(in crate::symbolic) fn exact_root(&self, degree: usize) -> Option<Self> {
         let (numerator, denominator) = (self.value.numerator().clone(), self.value.denominator());
         let numerator = UBig::try_from(numerator).ok()?;

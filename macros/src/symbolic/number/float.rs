@@ -1,10 +1,10 @@
-//! Binary numbers of so many bits.
+//! Binary numbers of fixed precision.
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 
-/// Bits kept of a number that is not rational.
+/// The precision of an irrational number, in bits.
 pub(in crate::symbolic) const PRECISION: usize = 256;
 
-/// A binary number of so many bits.
+/// A binary number of fixed precision.
 pub(in crate::symbolic) type Float = FBig<HalfEven, 2>;

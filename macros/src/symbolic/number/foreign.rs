@@ -1,26 +1,26 @@
-//! Functions that are not known here: of each there is a number alone.
+//! Functions that are unknown here, each represented by a number.
 
 /// A function from outside, or one of its derivatives.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Foreign(u32);
 
-/// Bits that count how many times it is differentiated by one argument.
+/// The number of bits that count the differentiations by one argument.
 const BITS: u32 = 4;
 const MOST: u32 = (1 << BITS) - 1;
 
 impl Foreign {
-    /// Of how many arguments it is at most.
+    /// The largest number of arguments.
     pub const ARGUMENTS: usize = 3;
-    /// So many there may be, which [`Self::word`] has place for.
+    /// The largest number of functions, limited by [`Self::word`].
     pub const COUNT: usize = 1 << (24 - 3 * BITS);
 
-    /// The function of this number.
+    /// The function with this index.
     pub fn new(number: usize) -> Self {
         Self(u32::try_from(number).unwrap_or(0) << (3 * BITS))
     }
 
-    /// Its derivative by one argument; in which order they are taken does not matter. More than
-    /// `MOST` are not told apart: none beyond the first is ever given.
+    /// Its derivative by one argument; the order of differentiations does not matter. More than
+    /// `MOST` are not distinguished: none beyond the first is ever given.
     pub fn by(self, argument: usize) -> Self {
         let place = BITS * u32::try_from(argument).unwrap_or(0);
         let is_full = self.0 >> place & MOST == MOST;
@@ -35,7 +35,7 @@ impl Foreign {
         (self.0 >> (3 * BITS)) as usize
     }
 
-    /// How many times it is differentiated by each argument.
+    /// The number of differentiations by each argument.
     pub fn orders(self) -> [u32; Self::ARGUMENTS] {
         [0, BITS, 2 * BITS].map(|place| self.0 >> place & MOST)
     }

@@ -1,4 +1,4 @@
-//! Functions of numbers: what they are called, and what they are like.
+//! Functions of numbers: their names and properties.
 
 /// A function of one or two numbers that is not a rational operation.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]

@@ -1,4 +1,4 @@
-//! What stands behind a uniform field: `.on([q1.at(p1), q2.at(p2)])`.
+//! The charges of a uniform field: `.on([q1.at(p1), q2.at(p2)])`.
 
 use proc_macro2::Ident;
 
@@ -7,7 +7,7 @@ use crate::errors::Errors;
 use crate::syntax::Charge;
 use crate::syntax::expression::{Expression, Kind, Prefix};
 
-/// The charges in the parentheses of `.on(..)`; what cannot be read is reported.
+/// The charges in the parentheses of `.on(..)`; unreadable ones are reported.
 pub fn parse_charges(on: &Ident, arguments: Vec<Expression>, errors: &mut Errors) -> Vec<Charge> {
     let list = match <[Expression; 1]>::try_from(arguments) {
         Ok([only]) => only.kind,
@@ -32,7 +32,7 @@ pub fn parse_charges(on: &Ident, arguments: Vec<Expression>, errors: &mut Errors
 }
 
 impl Charge {
-    /// A charge that is reported.
+    /// A charge whose error is reported.
     fn poisoned() -> Self {
         Self {
             charge: None,

@@ -1,4 +1,4 @@
-//! Checks: `name = condition`, and behind it in which state: `(condition).given(thrust = 2[N])`.
+//! Checks: `name = condition`, followed by its state: `(condition).given(thrust = 2[N])`.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
@@ -11,7 +11,7 @@ use crate::syntax::{Check, Claim, Given};
 
 const FORM: &str = "a check compares two scalars: write `a < b`, `<=`, `>`, `>=`, `==` or `!=`, and join several by `&&`";
 
-/// The part of an entry behind its name.
+/// The part of an entry after its name.
 pub fn parse_check(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Check {
     let (rest, given) = match rest {
         [
@@ -39,7 +39,7 @@ pub fn parse_check(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Chec
     }
 }
 
-/// All comparisons that are joined by `&&`. Operators stand in a chain from left to right.
+/// All comparisons joined by `&&`. Operators form a chain from left to right.
 fn take_claims(mut value: Expression, claims: &mut Vec<Claim>, errors: &mut Errors) {
     let Kind::Chain(first, steps) = &mut value.kind else {
         if !matches!(value.kind, Kind::Poisoned) {

@@ -1,4 +1,4 @@
-//! `compose([part, part])`: a body made of parts.
+//! `compose([part, part])`: a body composed of parts.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
@@ -12,7 +12,7 @@ use crate::syntax::tokens::{Entry, bracketed, split, stream, without_attributes}
 #[derive(Clone)]
 pub struct Composition {
     pub word: Ident,
-    /// `None` could not be read, which is reported.
+    /// `None` is unreadable, and reported.
     pub parts: Vec<Option<Part>>,
 }
 
@@ -20,14 +20,14 @@ pub struct Composition {
 #[derive(Clone)]
 pub struct Part {
     pub form: Expression,
-    /// What `.mass(..)` says, if it is there.
+    /// The argument of `.mass(..)`, if given.
     pub mass: Option<Value>,
-    /// What `.at(..)` says, if it is there.
+    /// The argument of `.at(..)`, if given.
     pub point: Option<Value>,
 }
 
 impl Composition {
-    /// Reads `compose([..])`, if that is what `tokens` begin with.
+    /// Reads `compose([..])`, if `tokens` begin with it.
     pub fn parse(tokens: &[TokenTree], errors: &mut Errors) -> Option<Self> {
         let (word, rest) = match tokens {
             [TokenTree::Ident(word), rest @ ..] if word == "compose" => (word, rest),
@@ -64,7 +64,7 @@ impl Composition {
         })
     }
 
-    /// All that was written in its parts.
+    /// Everything written in its parts.
     pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
         self.parts.iter().flatten().flat_map(|part| {
             let others = part.mass.iter().chain(&part.point).flatten();
@@ -81,7 +81,7 @@ fn parse_list(arguments: &Group) -> Option<Group> {
 }
 
 impl Part {
-    /// Takes `.mass(..)` and `.at(..)` out of the methods behind a form.
+    /// Takes `.mass(..)` and `.at(..)` out of the methods after a form.
     fn parse(written: Expression, errors: &mut Errors) -> Self {
         let (mut mass, mut point) = (None, None);
         let mut others = Vec::new();
@@ -115,7 +115,7 @@ impl Part {
     }
 }
 
-/// The one argument of a method that stands once.
+/// The single argument of a method that occurs once.
 fn take(
     into: &mut Option<Value>,
     method: &Ident,

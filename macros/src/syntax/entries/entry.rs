@@ -18,8 +18,8 @@ use crate::syntax::tokens::{after_sign, bracketed, is_punct, start, stream};
 use crate::syntax::unit::UnitExpression;
 use crate::syntax::words::check_name;
 
-/// Reads one entry of the list `key`. Without a name there is none; without a value it stays
-/// known, and silent.
+/// Reads one entry of the list `key`. Without a name there is none; without a value the name stays
+/// known, and causes no further errors.
 pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], errors: &mut Errors) {
     if key == "functions" {
         parse_function(into, entry, errors);
@@ -67,7 +67,7 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
             into.potentials.push(Definition { name, value });
         }
         "outputs" => {
-            // an output that is not there yet is reported as such
+            // an output that does not exist yet is reported as such
             if let Some(extra) = rest.first().filter(|_| name != "jacobian") {
                 errors.push(
                     start(extra),
@@ -124,7 +124,7 @@ pub fn parse_name<'t>(
     }
 }
 
-/// What a key of loads says about its entries; `None`: each entry says itself whether it is a
+/// The kind of the entries of a key of loads; `None`: each entry says itself whether it is a
 /// moment.
 fn family(key: &str) -> (Family, Option<LoadKind>) {
     match key {
@@ -200,7 +200,7 @@ fn parse_definition(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Def
     Definition { name, value }
 }
 
-/// The value behind the `=`.
+/// The value after the `=`.
 pub fn parse_value(name: &Ident, rest: &[TokenTree], errors: &mut Errors) -> Value {
     let Some((_, value)) = after_sign(rest, '=') else {
         let place = rest.first().map_or(name.span(), start);
@@ -215,7 +215,7 @@ pub fn parse_value(name: &Ident, rest: &[TokenTree], errors: &mut Errors) -> Val
     Expression::parse(stream(value), errors)
 }
 
-/// A potential has no point at which it acts.
+/// A potential has no point of action.
 fn without_point(value: Expression, errors: &mut Errors) -> Expression {
     match value.kind {
         Kind::Method(inner, method, _) if method == "at" => {
@@ -288,7 +288,7 @@ fn parse_load(
     load
 }
 
-/// The vector of `moment(vector)`, which stands where a load says itself of what `kind` it is.
+/// The vector of `moment(vector)`, allowed where a load states its own `kind`.
 fn vector_of_moment(
     function: &Ident,
     mut arguments: Vec<Expression>,
@@ -305,7 +305,7 @@ fn vector_of_moment(
     errors.report(function.span(), message)
 }
 
-/// Reads what `.at(..)` says, once.
+/// Reads the argument of `.at(..)`, once.
 fn parse_place(
     load: &mut Load,
     is_repeated: bool,
@@ -325,7 +325,7 @@ fn parse_place(
     errors.push(method.span(), message);
 }
 
-/// Whether it matters at which point a load acts.
+/// Whether the point of action of a load matters.
 fn check_place(load: &mut Load, at: &Ident, errors: &mut Errors) {
     if load.charges.is_some() {
         errors.push(

@@ -1,4 +1,4 @@
-//! What stands in the Rust of the user: `constants: [area = crate::AREA[m ^ 2]]`, and
+//! Rust items of the user: `constants: [area = crate::AREA[m ^ 2]]`, and
 //! `functions: [lift(alpha) = curves::lift[N].derivatives(curves::lift_by_alpha)]`.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
@@ -10,7 +10,7 @@ use crate::syntax::tokens::{Entry, after_sign, is_punct, split, start, stream};
 use crate::syntax::unit::UnitExpression;
 use crate::syntax::words::check_name;
 
-/// Arguments that a function may have.
+/// The limit of arguments of a function.
 const ARGUMENTS: usize = 3;
 const FORM: &str = "`lift(alpha) = crate::lift[N]`, its unit in brackets, or with derivatives \
                     `lift(alpha) = crate::lift[N].derivatives(crate::lift_by_alpha)`";
@@ -19,7 +19,7 @@ const FORM: &str = "`lift(alpha) = crate::lift[N]`, its unit in brackets, or wit
 #[derive(Clone)]
 pub struct Constant {
     pub name: Ident,
-    /// An expression of Rust; `None` was reported.
+    /// A Rust expression; `None` was reported.
     pub value: Option<TokenStream>,
     pub unit: Option<UnitExpression>,
 }
@@ -31,11 +31,11 @@ pub struct Function {
     pub arguments: Vec<(Ident, Option<UnitExpression>)>,
     pub path: TokenStream,
     pub unit: Option<UnitExpression>,
-    /// By each argument; `None` is not given.
+    /// By each argument; `None` if not given.
     pub derivatives: Vec<Option<TokenStream>>,
 }
 
-/// What stands behind the name of a constant.
+/// The value after the name of a constant.
 pub fn parse_constant(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Constant {
     let read = value_of_constant(&name, rest, errors);
     let (value, unit) = read.map_or((None, None), |(value, unit)| (Some(value), unit));
@@ -78,7 +78,7 @@ fn value_of_constant(
     Some((value, unit))
 }
 
-/// Reads an entry of `functions`. Without its form there is none, and its name is lost.
+/// Reads an entry of `functions`. If it is malformed there is none, and its name is lost.
 pub fn parse_function(into: &mut Description, entry: &[TokenTree], errors: &mut Errors) {
     let [TokenTree::Ident(name), rest @ ..] = entry else {
         if let Some(first) = entry.first() {
@@ -217,7 +217,7 @@ fn path_of(tokens: &[TokenTree], errors: &mut Errors) -> Option<TokenStream> {
     errors.report(Extent::of(path), message)
 }
 
-/// The unit that stands in brackets at the end.
+/// The unit in brackets at the end.
 fn with_unit<'t>(
     value: &'t [TokenTree],
     errors: &mut Errors,

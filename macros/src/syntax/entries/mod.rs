@@ -1,4 +1,4 @@
-//! The keys of a description, and what stands in its lists, entry by entry.
+//! The keys of a description, and the entries of its lists.
 
 mod charges;
 mod checks;

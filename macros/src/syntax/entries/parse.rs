@@ -16,7 +16,7 @@ use crate::syntax::tokens::{
 use crate::syntax::words::is_keyword;
 use crate::syntax::{Description, Written};
 
-/// Keys whose value is a list, each with an entry to show.
+/// Keys whose value is a list, each with an example entry.
 const LISTS: [(&str, &str); 18] = [
     ("constants", "area = crate::AREA[m ^ 2]"),
     ("functions", "lift(alpha) = crate::lift[N]"),
@@ -39,7 +39,7 @@ const LISTS: [(&str, &str); 18] = [
 ];
 /// All other keys.
 const VALUES: [&str; 5] = ["doc", "motion", "mass", "inertia", "pole"];
-/// Tokens that a description may have: a stated limit instead of minutes of waiting.
+/// The limit of tokens of a description: a stated limit instead of minutes of waiting.
 const TOKENS: usize = 50_000;
 
 /// Parses `(runtime) Name { key: value, .. }`. Without a name, or beyond the limit, there is no
@@ -51,7 +51,7 @@ pub fn parse_description(tokens: TokenStream, errors: &mut Errors) -> Option<Des
     Some(description)
 }
 
-/// A description that is too long is none.
+/// A description that is too long counts as none.
 pub fn check_length(tokens: &TokenStream, errors: &mut Errors) -> Option<()> {
     let Some(crossed) = token_beyond(tokens, TOKENS) else {
         return Some(());
@@ -94,7 +94,7 @@ pub fn parse_key(
     errors: &mut Errors,
 ) -> Option<&'static str> {
     let Some((key, rest)) = key_word(entry, errors) else {
-        // what a `let` would define has no other error
+        // a name that a `let` would define causes no other error
         into.lost.extend(entry.get(1).and_then(name_of));
         return None;
     };
@@ -111,7 +111,7 @@ pub fn parse_key(
         };
         errors.push(key.span(), format!("`{word}` is given twice: {advice}"));
     } else if !repeated {
-        // an unknown key is left to rustc, through the schema: it names the similar one
+        // rustc reports an unknown key through the schema, and names the similar one
         into.keys.push(key.clone());
     }
     let Some(meant) = meant else {
@@ -125,7 +125,7 @@ pub fn parse_key(
     parse_list(into, list, example, value, errors)
 }
 
-/// The word that an entry begins with, and what is behind it.
+/// The first word of an entry, and the rest.
 fn key_word<'t>(
     entry: &'t [TokenTree],
     errors: &mut Errors,
@@ -154,7 +154,7 @@ fn key_word<'t>(
     None
 }
 
-/// What follows the colon, if anything does.
+/// The tokens after the colon, if there are any.
 pub fn key_value<'t>(key: &Ident, rest: &'t [TokenTree], errors: &mut Errors) -> &'t [TokenTree] {
     let example = key_meant(&key.to_string())
         .and_then(|meant| LISTS.iter().find(|(list, _)| *list == meant))
@@ -244,7 +244,7 @@ fn parse_one(into: &mut Description, list: &str, entry: &[TokenTree], errors: &m
     }
 }
 
-/// The value of a key that is not a list; the first one given counts.
+/// The value of a key that is not a list; the first one counts.
 fn parse_single(into: &mut Description, key: &str, value: &[TokenTree], errors: &mut Errors) {
     let written = |errors: &mut Errors| {
         let value = (!value.is_empty()).then(|| Expression::parse(stream(value), errors));

@@ -1,4 +1,4 @@
-//! `<actuator>`: motors, and what acts as a linear spring and damper towards an input.
+//! `<actuator>`: motors, and linear springs and dampers towards an input.
 
 use proc_macro2::Ident;
 use roxmltree::Node;
@@ -16,14 +16,15 @@ use super::joint::Motion;
 use super::length::{Length, Term};
 use super::tendon::Tendon;
 
-/// An input u, and a force along a length: `(g0 + g1 length + g2 rate) u + b0 + b1 length + b2 rate`.
+/// An input u, and a force along a length: `(g0 + g1 length + g2 rate) u + b0 + b1 length + b2
+/// rate`.
 pub struct Actuator {
     pub name: String,
     length: Length,
     gear: Decimal,
     gain: [Decimal; 3],
     bias: [Decimal; 3],
-    /// The unit of its input, none if that is not known.
+    /// The unit of its input; none if that is unknown.
     unit: Option<&'static str>,
     extent: Extent,
 }
@@ -38,7 +39,7 @@ const KNOWN: [&str; 8] = [
     "group",
     "dyntype",
 ];
-/// What says nothing of the motion without limits.
+/// Attributes that do not affect the motion without limits.
 const SKIPPED: [&str; 11] = [
     "ctrllimited",
     "ctrlrange",
@@ -52,7 +53,7 @@ const SKIPPED: [&str; 11] = [
     "nsample",
     "actdim",
 ];
-/// The kinds that are read, with what they are written with.
+/// The supported kinds, with their attributes.
 const KINDS: [(&str, &[&str]); 5] = [
     ("motor", &[]),
     ("position", &["kp", "kv", "dampratio", "timeconst"]),
@@ -87,8 +88,8 @@ impl Reader<'_> {
         }
     }
 
-    /// All actuators have one set of defaults in `MuJoCo`: what another kind says in a class counts, but for
-    /// those that set all of their gains themselves.
+    /// All actuators share one set of defaults in `MuJoCo`: attributes of another kind in a class
+    /// count, except for kinds that set all of their gains themselves.
     fn check_classes(&mut self, node: Node<'_, '_>, classes: &Classes) {
         let tag = node.tag_name().name();
         for (kind, own) in KINDS.iter().filter(|(kind, _)| *kind != tag) {
@@ -203,7 +204,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The parameters of a gain or a bias; of a simple one those that count.
+    /// The parameters of a gain or a bias; for a simple one those that count.
     fn terms(
         &mut self,
         element: &Element<'_, '_>,

@@ -1,4 +1,4 @@
-//! Bodies as a file has them, each in the one that carries it.
+//! Bodies of a file, each inside its carrier.
 
 use proc_macro2::Ident;
 use roxmltree::Node;
@@ -15,14 +15,14 @@ use super::place::{PLACE, Place, product, rotate};
 use super::settings::Settings;
 
 pub struct Body {
-    /// As the file has it; empty if it has none.
+    /// The name in the file; empty if it has none.
     pub name: String,
     pub ident: Ident,
-    /// The body that it is in, by number; none: the world.
+    /// The index of its carrier; none for the world.
     pub parent: Option<usize>,
     pub place: Place,
     pub joints: Vec<Joint>,
-    /// What it is made of; a frame of nothing.
+    /// Its mass properties; none for a frame.
     pub parts: Vec<Part>,
     pub extent: Extent,
 }
@@ -31,19 +31,19 @@ const KNOWN: [&str; 5] = ["name", "childclass", "mocap", "gravcomp", "user"];
 const PARTS: [&str; 5] = ["body", "joint", "freejoint", "inertial", "geom"];
 const SKIPPED: [&str; 3] = ["site", "camera", "light"];
 
-/// What is read with the bodies.
+/// The context of reading bodies.
 pub struct Reading<'a> {
     pub beside: Beside<'a>,
     pub classes: &'a Classes,
     pub settings: &'a Settings,
     pub names: &'a mut Names,
-    /// The names of all bodies, those of the file and those of this language.
+    /// The names of all bodies, in the file and in this language.
     pub idents: Vec<(String, Ident)>,
     pub bodies: Vec<Body>,
 }
 
 impl Reading<'_> {
-    /// All bodies in `<worldbody>`, each after the one that it is in.
+    /// All bodies in `<worldbody>`, each after its carrier.
     pub fn world(&mut self, world: Node<'_, '_>, reader: &mut Reader<'_>) {
         self.name(world, reader);
         let mut pending = Vec::new();
@@ -77,7 +77,7 @@ impl Reading<'_> {
         }
     }
 
-    /// Names all bodies, in the order in which they stand in the file.
+    /// Names all bodies, in the order of the file.
     fn name(&mut self, world: Node<'_, '_>, reader: &mut Reader<'_>) {
         let bodies = world
             .descendants()
@@ -167,7 +167,7 @@ impl Reading<'_> {
     }
 }
 
-/// Whether a body, or what it carries, has mass; by number.
+/// Whether each body, or one that it carries, has mass.
 pub fn massive(bodies: &[Body], beside: Beside<'_>) -> Vec<bool> {
     let has = |body: &Body| !body.parts.is_empty() || beside.gives_mass(&body.ident);
     let mut found: Vec<bool> = bodies.iter().map(has).collect();
@@ -179,7 +179,7 @@ pub fn massive(bodies: &[Body], beside: Beside<'_>) -> Vec<bool> {
     found
 }
 
-/// Where each body is in the pose that is drawn: its origin, and how it is turned.
+/// The place of each body in the drawn pose: its origin, and its rotation.
 pub fn poses(bodies: &[Body]) -> Vec<([f64; 3], [f64; 4])> {
     let mut found: Vec<([f64; 3], [f64; 4])> = Vec::new();
     for body in bodies {

@@ -12,7 +12,7 @@ use super::element::bare;
 use super::length::{Length, Term};
 use super::tendon::Tendon;
 
-/// The first is a polynomial of the second, both counted from the pose that is drawn.
+/// The first is a polynomial of the second, both relative to the drawn pose.
 pub struct Coupling {
     pub name: String,
     first: Length,

@@ -1,4 +1,4 @@
-//! What a file says, as it would be written.
+//! The content of a file as a written description.
 
 use proc_macro2::{Ident, Span, TokenStream};
 
@@ -21,8 +21,8 @@ pub struct Writer<'a> {
     pub described: Described,
 }
 
-/// Where something is: a body, by its number among those that are described, or the world; the place
-/// in its axes from its origin; and how what is there is turned.
+/// A place: a body, by its index among the described ones, or the world; the offset
+/// in its axes from its origin; and the rotation there.
 struct Foot {
     body: Option<usize>,
     place: String,
@@ -30,7 +30,7 @@ struct Foot {
 }
 
 impl Writer<'_> {
-    /// A body with its joints; `numbers` are those of the bodies that are described.
+    /// A body with its joints; `numbers` are the indices of the described bodies.
     pub fn body(&mut self, body: &Body, parent: Option<usize>, names: &mut Names) -> usize {
         let place = &body.place.place;
         let mut foot = Foot {
@@ -78,7 +78,7 @@ impl Writer<'_> {
         number
     }
 
-    /// A name that nothing else has.
+    /// An unused name.
     fn fresh(&self, names: &mut Names, word: &str) -> Ident {
         names.fresh(word, "mount", self.span)
     }
@@ -117,7 +117,7 @@ impl Writer<'_> {
         self.described.joints.push(joint);
     }
 
-    /// What stands for a place in a joint: a point, or a vector of the world.
+    /// The representation of a place in a joint: a point, or a vector of the world.
     pub fn end(&mut self, body: Option<usize>, word: &str, place: &str, extent: Extent) -> String {
         let Some(number) = body else {
             return format!("world{place}");
@@ -138,7 +138,7 @@ impl Writer<'_> {
         let (extent, word) = (joint.extent, joint.ident.to_string());
         let pin = tuple(&joint.place);
         let is_pinned = joint.place.iter().any(|part| !part.is_zero());
-        // both have the same axes where the joint is not at the origin, or nothing is turned
+        // both have the same axes if the joint is not at the origin, or nothing is rotated
         let place = match (is_pinned, foot.turned.is_empty()) {
             (true, true) => sum(&foot.place, &pin),
             _ => foot.place,
@@ -173,7 +173,7 @@ impl Writer<'_> {
         self.loads(joint);
     }
 
-    /// A definition by the name of a joint, the value at which it is held in the place of `_`.
+    /// A definition with the name of a joint, with the locked value in place of `_`.
     fn filled(&mut self, text: &str, joint: &Joint) -> Definition {
         let value = written(text, joint.extent, self.span, self.errors);
         let value = match &joint.locked {
@@ -184,7 +184,7 @@ impl Writer<'_> {
         Definition { name, value }
     }
 
-    /// Spring and damper of a joint.
+    /// The spring and the damper of a joint.
     fn loads(&mut self, joint: &Joint) {
         if joint.is_held() {
             return;
@@ -232,7 +232,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Gravity, unless something of this name is written beside the file.
+    /// Gravity, unless something of this name is written next to the file.
     pub fn gravity(&mut self, text: &str, beside: Beside<'_>, extent: Extent) {
         if beside.fields.iter().any(|field| field.name == "gravity") {
             return;
@@ -261,7 +261,7 @@ impl Foot {
 }
 
 impl Joint {
-    /// By how much its coordinate is more than in the pose that is drawn, where it is zero or held.
+    /// The difference of its coordinate from the drawn pose, where it is zero or locked.
     fn shift(&self) -> Option<String> {
         match (&self.locked, &self.reference) {
             (Some(_), None) => Some("_".to_owned()),

@@ -1,4 +1,4 @@
-//! Elements with what their classes say of them.
+//! Elements with the attributes of their classes.
 
 use core::ops::RangeInclusive;
 use std::collections::BTreeMap;
@@ -31,15 +31,15 @@ impl Element<'_, '_> {
 #[derive(Default)]
 pub struct Classes(BTreeMap<String, BTreeMap<String, Attributes>>);
 
-/// The class of all that has none.
+/// The class of elements without one.
 const MAIN: &str = "main";
-/// What a class may speak of, and what of it is read.
+/// The tags that a class may contain, and the supported attributes of each.
 const TAGS: [&str; 8] = [
     "joint", "geom", "motor", "position", "velocity", "damper", "general", "tendon",
 ];
 
 impl Classes {
-    /// Reads a `<default>` and those in it.
+    /// Reads a `<default>` and those inside it.
     pub fn read(&mut self, root: Node<'_, '_>, reader: &mut Reader<'_>) {
         let mut pending = vec![(root, None::<String>)];
         while let Some((node, around)) = pending.pop() {
@@ -67,7 +67,7 @@ impl Classes {
         }
     }
 
-    /// An element with what its class says, or that of the body around it.
+    /// An element with the attributes of its class, or of the class of the body around it.
     pub fn of<'n, 'd>(
         &self,
         node: Node<'n, 'd>,
@@ -77,7 +77,7 @@ impl Classes {
         self.of_class(node, (around, node.tag_name().name()), reader)
     }
 
-    /// The same of an element that classes have by another tag.
+    /// The same for an element that classes name by another tag.
     pub fn of_tag<'n, 'd>(
         &self,
         node: Node<'n, 'd>,
@@ -87,7 +87,7 @@ impl Classes {
         self.of_class(node, (None, tag), reader)
     }
 
-    /// What the class of an element says of another tag.
+    /// The attributes of another tag in the class of an element.
     pub fn given(&self, node: Node<'_, '_>, tag: &str) -> Vec<&str> {
         let class = node.attribute("class").unwrap_or(MAIN);
         let known = self.0.get(class).and_then(|tags| tags.get(tag));
@@ -138,8 +138,8 @@ fn overlay(into: &mut Attributes, node: Node<'_, '_>) {
 }
 
 impl Reader<'_> {
-    /// The numbers of an attribute, or those that it has if it is not there; of what is wrong, and
-    /// reported, the latter.
+    /// The numbers of an attribute, or default numbers if it is missing, or if it is wrong and
+    /// reported.
     pub fn list(
         &mut self,
         element: &Element<'_, '_>,
@@ -190,8 +190,8 @@ impl Reader<'_> {
         found.into_iter().next().unwrap_or(Decimal::zero(extent))
     }
 
-    /// The elements in `node` that are `known`; what is neither these nor among `skipped` would change
-    /// the motion.
+    /// The elements in `node` that are `known`; elements that are neither known nor among `skipped`
+    /// would change the motion.
     pub fn parts<'n, 'd>(
         &mut self,
         node: Node<'n, 'd>,
@@ -230,8 +230,8 @@ impl Reader<'_> {
         found
     }
 
-    /// What an element may not say, as it would change the motion: each attribute with the values that
-    /// say nothing.
+    /// Attributes that are refused because they would change the motion, each with its permitted
+    /// neutral values.
     pub fn refuse(&mut self, element: &Element<'_, '_>, all: &[(&str, &[&str], &str)]) {
         for (name, nothing, why) in all {
             let Some(text) = element.get(name) else {
@@ -247,7 +247,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Reports attributes that an element does not have; those of its class are looked at there.
+    /// Reports attributes that an element does not have; those of its class are checked there.
     pub fn check_names(&mut self, element: &Element<'_, '_>, known: &[&[&str]]) {
         let known: Vec<&str> = known.concat();
         self.check_attributes(element.node, &known);

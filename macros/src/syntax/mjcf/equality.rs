@@ -10,13 +10,14 @@ use super::describe::Writer;
 use super::element::bare;
 use super::place::{inverse, product, rotate};
 
-/// What holds two bodies together: points of both, and how the second is turned against the first.
+/// A connection of two bodies: points of both, and the rotation of the second relative to the
+/// first.
 pub struct Closing {
     name: String,
-    /// By number; none: the world.
+    /// By index; none for the world.
     bodies: [Option<usize>; 2],
     points: [[f64; 3]; 2],
-    /// Of a weld.
+    /// For a weld.
     turned: Option<[f64; 4]>,
     extent: Extent,
 }
@@ -36,7 +37,7 @@ const KNOWN: [&str; 13] = [
     "torquescale",
     "user",
 ];
-/// Of lengths of one, what is rounding.
+/// The size of rounding for lengths of one.
 const ROUNDING: f64 = 1e-15;
 
 type Pose = ([f64; 3], [f64; 4]);
@@ -130,8 +131,8 @@ impl Reader<'_> {
 }
 
 impl Writer<'_> {
-    /// The joints that close loops, behind those that carry bodies; `numbers` are those of the bodies
-    /// that are described.
+    /// The joints that close loops, after those that carry bodies; `numbers` are the indices of the
+    /// described bodies.
     pub fn close(
         &mut self,
         closings: &[Closing],
@@ -140,7 +141,7 @@ impl Writer<'_> {
     ) {
         for closing in closings {
             let ident = name(&closing.name);
-            // the world carries; a body stands second
+            // the world carries; a body comes second
             let mut ends = [0, 1].map(|end| (closing.bodies[end], closing.points[end]));
             let mut turned = closing.turned;
             if ends[1].0.is_none() {
@@ -162,7 +163,7 @@ impl Writer<'_> {
     }
 }
 
-/// Without what is rounding.
+/// With rounding removed.
 fn clean(of: [f64; 3]) -> [f64; 3] {
     let size = of.iter().fold(1.0_f64, |size, part| size.max(part.abs()));
     of.map(|part| {
@@ -174,8 +175,8 @@ fn clean(of: [f64; 3]) -> [f64; 3] {
     })
 }
 
-/// About z, y and x, one after the other; the last two from what the ones before leave, so that
-/// nothing is lost where y turns by a right angle.
+/// Rotations about z, y and x in sequence; the last two are computed from the rotation that remains
+/// after the first ones, so that no accuracy is lost where y rotates by a right angle.
 fn in_turns(turned: [f64; 4]) -> String {
     let [x, y, z] =
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| rotate(turned, axis));

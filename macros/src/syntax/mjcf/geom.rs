@@ -1,4 +1,4 @@
-//! What a body is made of: `<inertial>`, or its geoms.
+//! The mass properties of a body: `<inertial>`, or its geoms.
 
 use roxmltree::Node;
 
@@ -12,7 +12,7 @@ use super::place::{PLACE, Place, shortest, tuple, turned, turned_inertia};
 use super::settings::Settings;
 use crate::syntax::xml::written::written;
 
-/// A form, its mass, and where G of it is.
+/// A form, its mass, and the place of its G.
 struct Substance {
     form: String,
     mass: String,
@@ -43,7 +43,7 @@ const GEOM: [&str; 9] = [
     "shellinertia",
     "mesh",
 ];
-/// Attributes of geoms that say how they look and touch.
+/// Attributes of geoms for appearance and contact.
 const LOOKS: [&str; 21] = [
     "contype",
     "conaffinity",
@@ -80,7 +80,7 @@ const TYPES: [&str; 9] = [
 ];
 
 impl Reader<'_> {
-    /// The parts of a body; none of what has no mass.
+    /// The parts of a body; none if it has no mass.
     pub fn made_of(
         &mut self,
         inertial: Option<Node<'_, '_>>,
@@ -143,7 +143,7 @@ impl Reader<'_> {
         })
     }
 
-    /// A geom that has mass.
+    /// A geom with mass.
     fn geom(&mut self, element: &Element<'_, '_>, settings: &Settings) -> Option<Substance> {
         let node = element.node;
         let plain = if element.has("mesh") {
@@ -189,7 +189,7 @@ impl Reader<'_> {
         })
     }
 
-    /// Where its middle is and how it is turned, and of one between two places half its length.
+    /// The place and rotation of its middle, and for one between two points half its length.
     fn placed_geom(
         &mut self,
         element: &Element<'_, '_>,
@@ -226,7 +226,7 @@ impl Reader<'_> {
         kind: usize,
         half: Option<String>,
     ) -> Option<Vec<String>> {
-        // between two places, a box and an ellipsoid are as wide along x as along y
+        // between two points, a box and an ellipsoid are as wide along x as along y
         let own = [1, 2, 2, 3, 3][kind] - usize::from(half.is_some());
         let (own, is_square) = match (kind, &half) {
             (3 | 4, Some(_)) => (1, true),
@@ -246,11 +246,11 @@ impl Reader<'_> {
 }
 
 fn is_same(a: &Decimal, b: &Decimal) -> bool {
-    // a zero has no sign then
+    // so that a zero has no sign
     (a.value() + 0.0).to_bits() == (b.value() + 0.0).to_bits()
 }
 
-/// How z is turned to the direction between two places.
+/// The rotation of z to the direction between two points.
 fn along(from: &[Decimal], to: &[Decimal]) -> String {
     let is_along =
         |axis: usize| (0..3).all(|other| (is_same(&from[other], &to[other])) == (other != axis));
@@ -259,7 +259,7 @@ fn along(from: &[Decimal], to: &[Decimal]) -> String {
         return String::new();
     }
     if let (Some(axis), [x, y, z]) = (unit, [0, 1, 2].map(|part| &from[part])) {
-        // from 0 to 1 or from 1 to 0: the sense does not matter to the solids
+        // from 0 to 1 or from 1 to 0: the sense does not matter for solids
         let extent = [x, y, z][axis].extent;
         let mut direction = [0, 1, 2].map(|_| Decimal::zero(extent));
         direction[axis] = Decimal::one(extent);
@@ -292,7 +292,7 @@ fn form(kind: usize, lengths: &[String], mass: &str) -> String {
     }
 }
 
-/// A cylinder with half a sphere on each end: of the mass, the ends have their part.
+/// A cylinder with a half sphere on each end, which have their share of the mass.
 fn capsule(r: &str, h: &str, mass: &str) -> String {
     let (square, ends) = (
         format!("({r}).powi(2)"),

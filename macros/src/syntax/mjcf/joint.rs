@@ -1,4 +1,4 @@
-//! Joints as a file has them: how they move, and what acts along them.
+//! Joints of a file: their kinds, and the loads along them.
 
 use proc_macro2::Ident;
 use roxmltree::Node;
@@ -11,7 +11,7 @@ use crate::syntax::xml::reader::Reader;
 use super::element::{Classes, Element};
 use super::settings::Settings;
 
-/// How a joint moves.
+/// The kind of a joint.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Motion {
     Hinge,
@@ -26,7 +26,7 @@ pub struct Joint {
     /// In the axes of the body, from its origin.
     pub place: [Decimal; 3],
     pub axis: [Decimal; 3],
-    /// The coordinate in the pose that is drawn, if it is not zero.
+    /// The coordinate in the drawn pose, if it is not zero.
     pub reference: Option<String>,
     /// The coordinate at which springs are at rest, if it is not zero.
     pub rest: Option<String>,
@@ -56,7 +56,7 @@ const KNOWN: [&str; 11] = [
     "armature",
     "frictionloss",
 ];
-/// What says nothing of the motion without limits.
+/// Attributes that do not affect the motion without limits.
 const SKIPPED: [&str; 13] = [
     "springdamper",
     "solreflimit",
@@ -75,7 +75,7 @@ const SKIPPED: [&str; 13] = [
 const ARMATURE: &str = "an armature of several coordinates is not read: set it to 0, or give the rotor a body of its own";
 
 impl Joint {
-    /// Whether it holds its body.
+    /// Whether it holds its body rigidly.
     pub fn is_held(&self) -> bool {
         self.locked.is_some()
     }

@@ -1,4 +1,4 @@
-//! Sums of coordinates of joints, which actuators drive, tendons are as long as, and equalities couple.
+//! Sums of joint coordinates, for actuators, tendons and equalities.
 
 use proc_macro2::Ident;
 use roxmltree::Node;
@@ -16,13 +16,13 @@ pub struct Length(pub Vec<Term>);
 
 #[derive(Clone)]
 pub struct Term {
-    /// What the coordinate is multiplied by; none: one.
+    /// The factor of the coordinate; none for one.
     pub factor: Option<String>,
     pub joint: Ident,
     pub kind: Motion,
-    /// The coordinate in the pose that is drawn, if it is not zero.
+    /// The coordinate in the drawn pose, if it is not zero.
     reference: Option<String>,
-    /// That at which springs are at rest, if it is not zero.
+    /// The coordinate at which springs are at rest, if it is not zero.
     rest: Option<String>,
 }
 
@@ -66,7 +66,7 @@ impl Length {
         text.unwrap_or_default()
     }
 
-    /// How fast it changes.
+    /// Its rate.
     pub fn rate(&self) -> String {
         let text = self.sum(|term| {
             let word = match term.kind {
@@ -78,17 +78,17 @@ impl Length {
         text.unwrap_or_default()
     }
 
-    /// What it is in the pose that is drawn, if it is not zero.
+    /// Its value in the drawn pose, if it is not zero.
     pub fn reference(&self) -> Option<String> {
         self.sum(|term| Some(term.of(&format!("({})", term.reference.as_ref()?))))
     }
 
-    /// What it is where the springs of its joints are at rest, if it is not zero.
+    /// Its value where the springs of its joints are at rest, if it is not zero.
     pub fn rest(&self) -> Option<String> {
         self.sum(|term| Some(term.of(&format!("({})", term.rest.as_ref()?))))
     }
 
-    /// By how much it is more than in the pose that is drawn.
+    /// Its difference from the drawn pose.
     pub fn change(&self) -> String {
         match self.reference() {
             Some(reference) => format!("({} - {reference})", self.text()),
@@ -98,7 +98,7 @@ impl Length {
 }
 
 impl Reader<'_> {
-    /// A joint by the name that the file has for it.
+    /// A joint by its name in the file.
     pub fn joint_named<'b>(
         &mut self,
         node: Node<'_, '_>,
@@ -122,7 +122,7 @@ impl Reader<'_> {
         Some(joint)
     }
 
-    /// Reports joints that are locked among others that are not.
+    /// Reports locked joints among joints that are not locked.
     pub fn check_free(&mut self, node: Node<'_, '_>, joints: &[&Joint]) -> Option<()> {
         let held = joints.iter().find(|joint| joint.is_held());
         let Some(held) = held else { return Some(()) };

@@ -1,8 +1,8 @@
 //! `mjcf: "model.xml"`: bodies, joints, motors and gravity from a file (the format of `MuJoCo`).
 //!
-//! What the file says becomes what could have been written: a body made of parts for each that has
-//! mass, a frame for each that has none and between the joints of one body, and a definition of each
-//! joint. All numbers keep their digits.
+//! The content of the file becomes what a user could have written: a body composed of parts for
+//! each body with mass, a frame for each one without and between the joints of one body, and a
+//! definition of each joint. All numbers keep their digits.
 
 mod actuator;
 mod body;
@@ -56,7 +56,7 @@ const SKIPPED: [&str; 9] = [
     "extension",
 ];
 
-/// What a file describes.
+/// The content of a file.
 struct Model {
     bodies: Vec<Body>,
     tendons: Vec<Tendon>,
@@ -64,7 +64,7 @@ struct Model {
     closings: Vec<Closing>,
     couplings: Vec<Coupling>,
     settings: Settings,
-    /// Of the first element.
+    /// The place of the first element.
     extent: Extent,
 }
 
@@ -151,7 +151,7 @@ impl Beside<'_> {
         }
         let (poses, mut closings) = (poses(&bodies), Vec::new());
         of("equality").for_each(|node| reader.closings(node, &bodies, &poses, &mut closings));
-        // what is wrong may be what a body is made of
+        // the error may be in the mass properties of a body
         if reader.errors.is_empty() {
             self.check(&bodies, reader.errors);
         }
@@ -167,7 +167,7 @@ impl Beside<'_> {
         })
     }
 
-    /// Whether what moves has mass, and what is locked can be.
+    /// Whether moving bodies have mass, and locked joints can be locked.
     fn check(self, bodies: &[Body], errors: &mut Errors) {
         let massive = massive(bodies, self);
         let moves = |body: &Body| body.joints.iter().any(|joint| !joint.is_held());

@@ -1,4 +1,4 @@
-//! Where something is, and how it is turned.
+//! Positions and rotations.
 
 use core::fmt::Write;
 
@@ -8,7 +8,7 @@ use crate::syntax::xml::reader::Reader;
 use super::element::Element;
 use super::settings::Settings;
 
-/// A turn about an axis, as it is written and as numbers.
+/// A rotation about an axis, as written and as numbers.
 pub struct Turn {
     /// `(x, y, z)`
     axis: String,
@@ -16,7 +16,7 @@ pub struct Turn {
     quaternion: [f64; 4],
 }
 
-/// `pos` and one of `quat`, `axisangle`, `euler`, `xyaxes` and `zaxis`; turns one after the other.
+/// `pos` and one of `quat`, `axisangle`, `euler`, `xyaxes` and `zaxis`; rotations in sequence.
 pub struct Place {
     pub place: [Decimal; 3],
     pub turns: Vec<Turn>,
@@ -50,7 +50,7 @@ pub fn tuple(parts: &[Decimal]) -> String {
     format!("({})", parts.join(", "))
 }
 
-/// `.turned(body(x, y, z), angle)` of each turn, one after the other.
+/// `.turned(body(x, y, z), angle)` for each rotation, in sequence.
 pub fn turned(turns: &[Turn]) -> String {
     let mut text = String::new();
     for Turn { axis, angle, .. } in turns {
@@ -59,7 +59,7 @@ pub fn turned(turns: &[Turn]) -> String {
     text
 }
 
-/// The same of an inertia, whose first turn is the last one of its axes.
+/// The same for an inertia, whose first rotation is the last one of its axes.
 pub fn turned_inertia(turns: &[Turn]) -> String {
     let mut text = String::new();
     for Turn { axis, angle, .. } in turns.iter().rev() {
@@ -96,7 +96,7 @@ impl Place {
     }
 }
 
-/// `n` of a vector, and what it is about.
+/// `n` numbers of a vector, and its name.
 fn length(parts: &[Decimal]) -> (String, f64) {
     let squares = parts.iter().filter(|part| !part.is_zero());
     let squares: Vec<&Decimal> = squares.collect();
@@ -184,7 +184,7 @@ impl Reader<'_> {
         !is_zero
     }
 
-    /// Whether two axes are no multiples of each other.
+    /// Whether two axes are not multiples of each other.
     fn are_across(&mut self, element: &Element<'_, '_>, all: &[Decimal]) -> bool {
         let of = |place: usize| all[place].value();
         let [x, y, z] =
@@ -197,7 +197,7 @@ impl Reader<'_> {
         is_sound
     }
 
-    /// `quat="w x y z"`, of any length but zero.
+    /// `quat="w x y z"`, of any nonzero length.
     fn quaternion(&mut self, element: &Element<'_, '_>) -> Vec<Turn> {
         let all = self.list(element, "quat", 4..=4, "1 0 0 0");
         if !self.has_direction(element, "quat", &all) {
@@ -225,7 +225,7 @@ impl Reader<'_> {
     }
 }
 
-/// The shortest turn of z to a direction.
+/// The shortest rotation of z to a direction.
 pub fn shortest(to: &[Decimal]) -> Option<Turn> {
     let across = &to[..2];
     if across.iter().all(Decimal::is_zero) {
@@ -244,7 +244,7 @@ pub fn shortest(to: &[Decimal]) -> Option<Turn> {
     Some(Turn::new(axis, of, angle, size.atan2(to[2].value())))
 }
 
-/// Turns about z, y and x that make the axis x of the first three numbers, and that bring y into the
+/// Rotations about z, y and x that take the axis x to the first three numbers, and y into the
 /// plane of both.
 fn axes(all: &[Decimal]) -> Vec<Turn> {
     let [xx, xy, xz, yx, yy, yz] =
@@ -252,7 +252,7 @@ fn axes(all: &[Decimal]) -> Vec<Turn> {
     let mut turns = Vec::new();
     let (flat, flat_value) = length(&all[..2]);
     if all[..2].iter().all(Decimal::is_zero) {
-        // x goes to z, and y stays or turns about it
+        // x goes to z, and y stays or rotates about it
         let up = if xz.1 > 0.0 { -1.0 } else { 1.0 };
         turns.push(Turn::about(
             1,
@@ -277,7 +277,7 @@ fn axes(all: &[Decimal]) -> Vec<Turn> {
             -xz.1.atan2(flat_value),
         ));
     }
-    // y along the second and third of the axes that these turns make, times lengths of x
+    // y along the second and third of the axes given by these rotations, times lengths of x
     let (whole, whole_value) = length(&all[..3]);
     let second = format!(
         "(({}) * ({}) - ({}) * ({})) * {whole}",
@@ -298,7 +298,7 @@ fn axes(all: &[Decimal]) -> Vec<Turn> {
 }
 
 impl Settings {
-    /// An angle as it is written here, and in radians; none if it does not turn.
+    /// An angle as written here, and in radians; none if it is zero.
     pub fn angle(&self, angle: &Decimal) -> Option<(String, f64)> {
         let value = angle.value();
         if self.is_radian {

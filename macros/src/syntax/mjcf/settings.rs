@@ -1,4 +1,4 @@
-//! `<compiler>` and `<option>`: how a file is read, and what acts everywhere.
+//! `<compiler>` and `<option>`: how a file is interpreted, and global loads.
 
 use roxmltree::Node;
 
@@ -7,13 +7,14 @@ use crate::syntax::xml::reader::Reader;
 
 use super::element::bare;
 
-/// How a file is read.
+/// The interpretation of a file.
 pub struct Settings {
     pub is_radian: bool,
-    /// The axes of Euler's angles; fixed ones in place of those that turn with the body.
+    /// The axes of Euler angles; whether they are fixed instead of rotating with the body.
     pub order: [usize; 3],
     pub is_fixed: bool,
-    /// Whether bodies are made of their geoms, all or none; without it, those without `<inertial>`.
+    /// Whether all bodies, or none, take their mass from geoms; by default those without
+    /// `<inertial>`.
     pub from_geoms: Option<bool>,
     pub gravity: Option<[Decimal; 3]>,
     pub has_gravity: bool,
@@ -33,7 +34,7 @@ impl Default for Settings {
 }
 
 const NOTHING: [&str; 2] = ["0", "false"];
-/// Attributes of `<compiler>` that say nothing of the motion.
+/// Attributes of `<compiler>` that do not affect the motion.
 const SKIPPED: [&str; 13] = [
     "autolimits",
     "strippath",
@@ -49,7 +50,7 @@ const SKIPPED: [&str; 13] = [
     "alignfree",
     "inertiagrouprange",
 ];
-/// The flags that say nothing of forward dynamics without contact and limits.
+/// Flags that do not affect forward dynamics without contact and limits.
 const FLAGS: [&str; 16] = [
     "contact",
     "limit",
@@ -125,7 +126,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The number of a word among those that an attribute may be.
+    /// The index of a word among the permitted values of an attribute.
     pub fn word(&mut self, node: Node<'_, '_>, name: &str, known: &[&str]) -> Option<usize> {
         let text = node.attribute(name)?;
         let found = known.iter().position(|word| *word == text);

@@ -1,4 +1,4 @@
-//! `<tendon>`: fixed ones, sums of coordinates, with their springs and dampers.
+//! `<tendon>`: fixed tendons, which are sums of coordinates, with their springs and dampers.
 
 use roxmltree::Node;
 
@@ -11,7 +11,7 @@ use super::element::{Classes, bare};
 use super::length::{Length, Term};
 
 pub struct Tendon {
-    /// As the file has it.
+    /// The name in the file.
     pub name: String,
     pub length: Length,
     damping: Option<String>,
@@ -30,7 +30,7 @@ const KNOWN: [&str; 8] = [
     "frictionloss",
     "armature",
 ];
-/// What says nothing of the motion without limits.
+/// Attributes that do not affect the motion without limits.
 const SKIPPED: [&str; 11] = [
     "limited",
     "range",
@@ -98,7 +98,7 @@ impl Reader<'_> {
             return self.report(node, message);
         }
         let rest = match rest.first() {
-            // -1 stands for that of the springs of its joints
+            // -1 stands for the length at rest of the springs of its joints
             Some(rest) if rest.text() != "-1" => rest.literal(),
             _ => length.rest().unwrap_or("0".to_owned()),
         };
@@ -112,7 +112,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The sum of coordinates that a tendon is as long as.
+    /// The sum of coordinates that is the length of a tendon.
     fn length(&mut self, node: Node<'_, '_>, bodies: &[Body]) -> Option<Length> {
         let (mut terms, mut joints) = (Vec::new(), Vec::new());
         for part in self.parts(node, &["joint"], &[]) {
@@ -149,7 +149,7 @@ impl Reader<'_> {
 }
 
 impl Writer<'_> {
-    /// Spring and damper of a tendon.
+    /// The spring and the damper of a tendon.
     pub fn tendon(&mut self, tendon: &Tendon, word: &proc_macro2::Ident) {
         let (length, extent) = (&tendon.length, tendon.extent);
         if let Some((stiffness, rest)) = &tendon.spring {

@@ -13,7 +13,7 @@ use crate::syntax::{Definition, Description};
 use super::{LATER, OF_SYSTEMS, System};
 
 impl System {
-    /// `name { key: value, .. }`, or several where commas are missing.
+    /// `name { key: value, .. }`, or several if commas are missing.
     pub fn parse_body(&mut self, entry: &[TokenTree], errors: &mut Errors) {
         let mut entry = entry;
         while let [
@@ -54,7 +54,7 @@ impl System {
         }
     }
 
-    /// Returns the copies, if there are to be any.
+    /// Returns the copies, if requested.
     fn parse_keys_of_body(
         &mut self,
         body: &mut Description,
@@ -116,7 +116,7 @@ impl System {
     }
 }
 
-/// The name of a body, and what it is described in.
+/// The name of a body, and its braces.
 fn name_and_braces<'t>(
     entry: &'t [TokenTree],
     errors: &mut Errors,

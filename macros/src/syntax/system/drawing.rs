@@ -1,4 +1,4 @@
-//! `drawing: zero_pose`, and what says in a drawing where bodies are.
+//! `drawing: zero_pose`, and the places of bodies in a drawing.
 
 use proc_macro2::{Ident, TokenTree};
 
@@ -10,7 +10,7 @@ use crate::syntax::tokens::start;
 
 use super::System;
 
-/// Where G of a body is in a drawing.
+/// The place of a body's G in a drawing.
 pub enum Center {
     At(Expression),
     Missing,
@@ -77,7 +77,7 @@ fn take_center(body: &mut Description, errors: &mut Errors) -> Center {
     center
 }
 
-/// What stands in `.at(..)` somewhere behind a value, which goes on without it.
+/// Removes `.at(..)` from the methods after a value, and returns its argument.
 fn take_place(value: &mut Expression) -> Option<(Ident, Vec<Expression>)> {
     match &mut value.kind {
         Kind::Method(inner, method, places) if method == "at" => {

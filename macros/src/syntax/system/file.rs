@@ -1,4 +1,4 @@
-//! `urdf: "robot.urdf"`: what a file describes, with what is written beside it.
+//! `urdf: "robot.urdf"`: the content of a file, combined with the written description.
 
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ use crate::syntax::xml::{Beside, Told};
 
 use super::System;
 
-/// What a file is written in.
+/// The format of a file.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Format {
     Urdf,
@@ -25,13 +25,13 @@ enum Format {
 /// The keys that name a file.
 pub(super) const KEYS: [&str; 2] = ["urdf", "mjcf"];
 
-/// The file that a description names.
+/// The file named by a description.
 pub struct File {
-    /// As it is written.
+    /// The path as written.
     name: String,
     span: Span,
     format: Format,
-    /// Where it is on this machine, if it was read: when it changes, the description is expanded
+    /// The local path, if it was read: when the file changes, the description is expanded
     /// again.
     pub path: Option<String>,
     pub told: Told,
@@ -122,7 +122,7 @@ impl System {
         Some(())
     }
 
-    /// Adds a body, or what the file has of it to what is written.
+    /// Adds a body, or merges the file's body into the written one.
     fn add_link(&mut self, mut body: Description, errors: &mut Errors) {
         let Some(written) = self.bodies.iter_mut().find(|other| other.name == body.name) else {
             self.firsts.push(self.bodies.len());
@@ -148,7 +148,7 @@ impl System {
             }
             written.composition = body.composition.take();
         }
-        // what is written takes the place of what the file has
+        // written values replace those of the file
         let is_told = written.mass.is_some() || written.inertia.is_some();
         written.is_frame = body.is_frame && !is_told;
         written.mass = written.mass.take().or(body.mass);
@@ -160,13 +160,13 @@ impl System {
     }
 }
 
-/// The file of this name, from the folder of `Cargo.toml`: where it is on this machine, and its text.
+/// The file with this name, relative to the folder of `Cargo.toml`: its local path, and its text.
 pub fn file_beside(
     name: &str,
     place: impl Into<Extent>,
     errors: &mut Errors,
 ) -> Option<(Option<String>, String)> {
-    // cargo sets it to the folder of the crate that is compiled
+    // cargo sets it to the folder of the compiled crate
     let folder = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
     let path = PathBuf::from(folder).join(name);
     match read(&path) {

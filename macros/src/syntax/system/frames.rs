@@ -1,11 +1,11 @@
-//! Bodies of `mass: 0[kg]`: frames, which say where something is.
+//! Bodies of `mass: 0[kg]`: frames, which mark a place.
 
 use crate::syntax::Description;
 use crate::syntax::expression::{Expression, Kind};
 
 use super::System;
 
-/// Units of masses in which nothing is nothing.
+/// Units in which a zero mass may be written.
 const UNITS: [&str; 2] = ["kg", "g"];
 
 impl System {

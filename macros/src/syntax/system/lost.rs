@@ -1,4 +1,4 @@
-//! What can be said of a system of which something could not be read.
+//! Fallbacks for a system with unreadable parts.
 
 use proc_macro2::Ident;
 
@@ -8,7 +8,7 @@ use crate::syntax::expression::{Expression, Kind};
 use super::System;
 
 impl System {
-    /// What is written beside the bodies.
+    /// The definitions next to the bodies.
     fn written(&self) -> impl Iterator<Item = &Expression> {
         let loads = self.drives.iter().chain(&self.forces).chain(&self.moments);
         let joints = self.joints.iter().chain(&self.cables);
@@ -17,7 +17,7 @@ impl System {
         definitions.filter_map(|definition| definition.value.as_ref())
     }
 
-    /// Where something that names bodies or joints could not be read, any unknown name may be one.
+    /// If something that names bodies or joints could not be read, any unknown name may be one.
     pub fn lose_names(&mut self) {
         if !self.has_lost_bodies && !self.has_lost_joints {
             return;
@@ -51,7 +51,7 @@ impl System {
         self.top.lost.extend(lost);
     }
 
-    /// Whether the first vector that is written has two components.
+    /// Whether the first written vector has two components.
     fn looks_planar(&self) -> bool {
         let points = self.bodies.iter().flat_map(|body| &body.points);
         let points = points.filter_map(|point| point.value.as_ref());

@@ -1,4 +1,4 @@
-//! A system: bodies, the joints between them, and what drives these.
+//! A system: bodies, the joints between them, and their drives.
 
 mod body;
 mod drawing;
@@ -23,43 +23,43 @@ use super::{Definition, Description, Motion};
 
 /// A whole description of a system.
 pub struct System {
-    /// What is said of the system: its name, params, inputs, locals, fields and outputs.
+    /// The keys of the system: its name, params, inputs, locals, fields and outputs.
     pub top: Description,
-    /// A description each, with the motion that all bodies have.
+    /// One description per body, each with the motion common to all bodies.
     pub bodies: Vec<Description>,
     pub joints: Vec<Definition>,
-    /// What is written among the joints and carries nothing.
+    /// Entries of `joints` that carry nothing.
     pub cables: Vec<Definition>,
     pub drives: Vec<Definition>,
     /// Forces between points, and moments on bodies and between them.
     pub forces: Vec<Definition>,
     pub moments: Vec<Definition>,
     pub is_planar: bool,
-    /// Of each body, if bodies and joints are drawn in one frame.
+    /// The place of each body, if bodies and joints are drawn in one frame.
     pub centers: Option<Vec<Center>>,
-    /// The joints that are named behind `reactions`, if any are.
+    /// The joints named after `reactions`, if any.
     pub held: Option<Vec<Ident>>,
-    /// The points that are named behind `jacobian`.
+    /// The points named after `jacobian`.
     pub points: Vec<Expression>,
-    /// For each body, the first one that is written in the same braces.
+    /// For each body, the first one in the same braces.
     pub firsts: Vec<usize>,
     /// The keys in the braces of bodies.
     pub keys: Vec<Ident>,
-    /// The file that bodies and joints come from.
+    /// The file of bodies and joints.
     pub file: Option<File>,
-    /// Joints of the file that are held at a coordinate.
+    /// Joints of the file that are locked at a coordinate.
     pub locked: Vec<Definition>,
-    /// Something that may have named bodies, or joints, could not be read.
+    /// An entry that may have named bodies, or joints, could not be read.
     pub has_lost_bodies: bool,
     pub has_lost_joints: bool,
 }
 
-/// Stands among the joints, and is none: it only pulls.
+/// Occurs among the joints, but is none: it only pulls.
 pub const CABLE: &str = "cable";
-/// Stands among the joints, and is a constraint: it keeps a distance.
+/// Occurs among the joints, but is a constraint: it keeps a distance.
 pub const LINK: &str = "link";
 
-/// Lists of a system that a body does not have, or has with other entries, each with one to show.
+/// Lists of a system that a body does not have, or has with other entries, each with an example.
 const LISTS: [(&str, &str); 6] = [
     ("bodies", "arm { mass: 1[kg], inertia: 0.1[kg * m ^ 2] }"),
     ("joints", "elbow = revolute(upper.tip, lower.hinge)"),
@@ -68,7 +68,7 @@ const LISTS: [(&str, &str); 6] = [
     ("forces", "spring = tension.between(upper.tip, lower.tip)"),
     ("moments", "load = moment(2[N * m]).on(upper)"),
 ];
-/// Keys that stand in bodies alone.
+/// Keys of bodies alone.
 const OF_BODIES: [&str; 6] = [
     "mass",
     "inertia",
@@ -77,7 +77,7 @@ const OF_BODIES: [&str; 6] = [
     "joint_moments",
     "pole",
 ];
-/// Keys that stand in the system alone.
+/// Keys of the system alone.
 const OF_SYSTEMS: [&str; 17] = [
     "motion",
     "constants",
@@ -97,7 +97,7 @@ const OF_SYSTEMS: [&str; 17] = [
     "locked",
     "checks",
 ];
-/// Keys of the language of systems that are not there yet.
+/// Planned keys of systems that do not exist yet.
 const LATER: [&str; 2] = ["reactions", "independent"];
 
 /// Parses `(runtime) Name { key: value, .. }` of a system.
@@ -250,13 +250,13 @@ impl System {
     }
 }
 
-/// `cable(..)`, and whatever is written behind it.
+/// `cable(..)`, and the methods after it.
 fn is_called(joint: &Definition, kind: &str) -> bool {
     let called = joint.value.as_ref().and_then(call);
     called.is_some_and(|((word, _), _)| word == kind)
 }
 
-/// The list of a system that a key, perhaps misspelt, is meant to be.
+/// The list of a system for a key, perhaps misspelt.
 fn list_meant(word: &str) -> Option<&'static (&'static str, &'static str)> {
     let exact = LISTS.iter().find(|(list, _)| *list == word);
     let of_body = key_meant(word).is_some_and(|meant| meant == word);

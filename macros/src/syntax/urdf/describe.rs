@@ -1,4 +1,4 @@
-//! What a file says, as it would be written.
+//! The content of a file as a written description.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
@@ -55,7 +55,7 @@ impl Writer {
         self.call(word, parts.collect(), extent)
     }
 
-    /// `.turned(axis, angle)` for each of the turns.
+    /// `.turned(axis, angle)` for each of the rotations.
     fn turned<'a>(
         &self,
         of: Expression,
@@ -77,7 +77,7 @@ impl Writer {
             kind: Kind::Record(self.word("tensor"), entries.collect()),
             extent: substance.extent,
         };
-        // the last turn is the first one of a body that is turned
+        // the last rotation is the first one of a rotated body
         let turns = substance.center.turns.iter().rev();
         self.turned(tensor, turns, substance.center.extent)
     }
@@ -123,7 +123,7 @@ impl Writer {
         }
     }
 
-    /// Where the slide of a locked joint is on what it carries.
+    /// The place of the slide of a locked joint on the carried body.
     fn slid(&self, joint: &Joint, distance: &Expression) -> Definition {
         let axis = self.vector("body", &joint.axis.components, joint.axis.extent);
         let axis = self.method(axis, "normalize", Vec::new());

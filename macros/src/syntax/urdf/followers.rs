@@ -10,7 +10,7 @@ use super::mimic::Mimic;
 use super::robot::{Joint, Motion, Robot};
 
 impl Robot {
-    /// What keeps all that follow in step: `b_mimic = b.angle - (2 * a.angle + 0.1)`.
+    /// The constraints of all followers: `b_mimic = b.angle - (2 * a.angle + 0.1)`.
     pub fn followers(&self, span: Span, errors: &mut Errors) -> Vec<Definition> {
         let joints = self.joints.iter().filter(|joint| joint.locked.is_none());
         let followers = joints.filter_map(|joint| Some((joint, joint.mimic.as_ref()?)));
@@ -48,7 +48,7 @@ impl Robot {
             let name = &mimic.leader;
             return report(format!("`{name}` has no coordinate, or has several"));
         };
-        // where it is locked, its coordinate is known
+        // the coordinate of a locked joint is known
         let other = match leader.locked {
             Some(_) => "_".to_owned(),
             None => format!("{}.{other}", leader.ident),
@@ -75,7 +75,7 @@ impl Robot {
     }
 }
 
-/// The one coordinate of a joint.
+/// The single coordinate of a joint.
 fn coordinate(joint: &Joint) -> Option<&'static str> {
     match joint.kind {
         Motion::Turns => Some("angle"),

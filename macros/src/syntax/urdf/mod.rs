@@ -1,7 +1,8 @@
-//! `urdf: "robot.urdf"`: bodies and joints from a file (the Unified Robot Description Format of ROS).
+//! `urdf: "robot.urdf"`: bodies and joints from a file (the Unified Robot Description Format of
+//! ROS).
 //!
-//! What the file says becomes what could have been written: a description of each link, and a
-//! definition of each joint. All numbers keep their digits.
+//! The content of the file becomes what a user could have written: a description of each link, and
+//! a definition of each joint. All numbers keep their digits.
 
 mod describe;
 mod followers;
@@ -122,7 +123,7 @@ impl Beside<'_> {
     }
 }
 
-/// What is read otherwise than it stands in the file, and what is not used.
+/// The parts that are read differently from the file, and those that are not used.
 fn tell(name: &str, robot: &Robot, changed: Vec<String>, skipped: &[String]) -> Told {
     let mut told = Told {
         read_as: changed,

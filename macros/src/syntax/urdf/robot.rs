@@ -1,4 +1,4 @@
-//! Links and joints as a file has them.
+//! Links and joints of a file.
 
 use proc_macro2::Ident;
 use roxmltree::Node;
@@ -11,19 +11,19 @@ use crate::syntax::xml::reader::Reader;
 
 use super::mimic::Mimic;
 
-/// What a file describes, as far as it could be read.
+/// The content of a file, as far as it could be read.
 #[derive(Default)]
 pub struct Robot {
     pub links: Vec<Link>,
     pub joints: Vec<Joint>,
-    /// Something could not be read, which is reported.
+    /// A part could not be read, which is reported.
     pub is_lost: bool,
-    /// Links that have no name here, which is reported.
+    /// Links without a name here, which is reported.
     pub lost: Vec<String>,
     pub notes: Notes,
 }
 
-/// What is to be told of a file.
+/// The remarks about a file.
 #[derive(Default)]
 pub struct Notes {
     /// Right angles that are written as decimals.
@@ -40,11 +40,11 @@ pub struct Link {
     pub extent: Extent,
 }
 
-/// What a link is made of.
+/// The mass properties of a link.
 pub enum Inertial {
-    /// Nothing: it is a frame.
+    /// None: it is a frame.
     Absent,
-    /// What is wrong with it is reported.
+    /// An error in them is reported.
     Reported,
     Known(Box<Substance>),
 }
@@ -54,11 +54,11 @@ pub struct Substance {
     pub mass: Decimal,
     /// xx, yy, zz, xy, yz, zx.
     pub entries: [Decimal; 6],
-    /// Of the tensor.
+    /// The place of the tensor.
     pub extent: Extent,
 }
 
-/// `<origin>`: a place, and turns about z, y and x, one after the other.
+/// `<origin>`: a place, and rotations about z, y and x in sequence.
 pub struct Placed {
     pub place: [Decimal; 3],
     pub turns: Vec<(usize, Angle)>,
@@ -69,7 +69,7 @@ pub struct Joint {
     pub name: String,
     pub ident: Ident,
     pub kind: Motion,
-    /// Numbers of links.
+    /// Indices of links.
     pub parent: usize,
     pub child: usize,
     pub origin: Placed,
@@ -86,7 +86,7 @@ pub struct Axis {
     pub extent: Extent,
 }
 
-/// How a joint moves.
+/// The kind of motion of a joint.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Motion {
     Fixed,
@@ -171,7 +171,7 @@ impl Reader<'_> {
         }))
     }
 
-    /// `<origin xyz=".." rpy="..">`, or where it would be in `node`.
+    /// `<origin xyz=".." rpy="..">`, or its place in `node` if it is missing.
     fn placed(&mut self, node: Node<'_, '_>, is_there: bool, notes: &mut Notes) -> Option<Placed> {
         let extent = self.at(node);
         if !is_there {
@@ -293,7 +293,7 @@ impl Reader<'_> {
         place
     }
 
-    /// `<axis xyz="..">`, x if it is not there.
+    /// `<axis xyz="..">`, x if it is missing.
     fn axis(
         &mut self,
         joint: Node<'_, '_>,
@@ -321,7 +321,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether `<dynamics>` says anything.
+/// Whether `<dynamics>` has any effect.
 fn is_damped(node: Node<'_, '_>) -> bool {
     let says = |name| {
         let value: Option<&str> = node.attribute(name);

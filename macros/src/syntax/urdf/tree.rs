@@ -1,4 +1,4 @@
-//! Whether the links of a file hang together, and have mass where they move.
+//! Checks that the links of a file are connected, and have mass where they move.
 
 use proc_macro2::{Ident, Span};
 
@@ -9,14 +9,14 @@ use super::robot::{Inertial, Joint, Motion, Robot};
 use crate::syntax::xml::Beside;
 
 impl Joint {
-    /// Whether it holds its child as it is.
+    /// Whether it holds its child rigidly.
     pub fn is_rigid(&self) -> bool {
         self.kind == Motion::Fixed || self.locked.is_some()
     }
 }
 
 impl Robot {
-    /// The link that no joint carries, if all others hang on it; of each link the joint.
+    /// The link that no joint carries, if all others depend on it; for each link the joint.
     pub fn tree(
         &self,
         (name, span): (&str, Span),
@@ -59,7 +59,7 @@ impl Robot {
             }
             return None;
         };
-        // with one root, what does not hang on it runs in a circle
+        // with one root, links that do not depend on it form a cycle
         let hangs = |link: usize| {
             let mut above = link;
             for _ in 0..carried.len() {
@@ -74,8 +74,8 @@ impl Robot {
         Some((*root, carried))
     }
 
-    /// Whether what moves as one has mass; `added` are the links that have something welded to
-    /// them beside the file.
+    /// Checks that each rigid group that moves has mass; `added` are the links that the description
+    /// welds something to.
     pub fn check_masses(
         &self,
         carried: &[Option<usize>],
@@ -83,7 +83,7 @@ impl Robot {
         added: &[usize],
         errors: &mut Errors,
     ) {
-        // of each link, the one at the end of the fixed joints that carry it
+        // for each link, the one at the end of the fixed joints that carry it
         let first = |link: usize| {
             let mut first = link;
             while let Some(joint) = carried[first].map(|joint| &self.joints[joint]) {
@@ -120,7 +120,7 @@ impl Robot {
         }
     }
 
-    /// A floating joint has what it carries move against the ground.
+    /// A floating joint moves the carried link relative to the ground.
     pub fn check_floating(&self, carried: &[Option<usize>], root_moves: bool, errors: &mut Errors) {
         for joint in &self.joints {
             if joint.kind == Motion::Free && !self.is_held(carried, joint.parent, root_moves) {
@@ -131,7 +131,7 @@ impl Robot {
         }
     }
 
-    /// Whether a link is held by the ground.
+    /// Whether the ground holds a link.
     fn is_held(&self, carried: &[Option<usize>], link: usize, root_moves: bool) -> bool {
         let mut link = link;
         while let Some(joint) = carried[link].map(|joint| &self.joints[joint]) {
@@ -166,7 +166,7 @@ fn carried_by(joint: &Expression) -> Option<&Ident> {
     }
 }
 
-/// Whether what is written carries the root as it is.
+/// Whether the description carries the root as it is.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Welded {
     Yes,
@@ -174,7 +174,7 @@ pub enum Welded {
 }
 
 impl Beside<'_> {
-    /// Whether a joint beside the file carries a body of this name.
+    /// Whether a joint of the description carries a body with this name.
     pub fn is_carried(self, name: &Ident) -> Option<Welded> {
         let mut joints = self.joints.iter().filter_map(|joint| joint.value.as_ref());
         let joint = joints.find(|joint| carried_by(joint) == Some(name))?;
@@ -185,13 +185,13 @@ impl Beside<'_> {
         })
     }
 
-    /// Whether what is written beside the file says that a link has mass.
+    /// Whether the description gives mass to a link.
     pub fn gives_mass(self, link: &Ident) -> bool {
         let mut bodies = self.bodies.iter();
         bodies.any(|body| body.name == *link && (body.mass.is_some() || body.inertia.is_some()))
     }
 
-    /// The links that get mass beside the file, of their own or by what is welded to them.
+    /// The links that get mass from the description, directly or by welded bodies.
     pub fn massive(self, robot: &Robot) -> Vec<usize> {
         let joints = self.joints.iter().filter_map(|joint| joint.value.as_ref());
         let welded = joints

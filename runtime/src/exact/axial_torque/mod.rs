@@ -18,8 +18,8 @@ mod wobble;
 use passage::Passage;
 use sweep::Sweep;
 
-/// A body that is symmetric about an axis e, under a constant couple N e that turns with it: so a
-/// stage spins up, or down and over.
+/// A body that is symmetric about an axis e, under a constant couple N e that rotates with it, such
+/// as a stage that spins up, or down and then the other way.
 ///
 /// With the moments A across the axis and C about it, the rate of spin is linear in time,
 /// `r = r₀ + N t/C`. The angular velocity across the axis keeps its length w, and turns in the body
@@ -34,14 +34,14 @@ use sweep::Sweep;
 /// where `w a + u e` is L/A, seen from axes that follow e and the angular velocity across it. The
 /// parameters of Cayley and Klein of P are functions of the parabolic cylinder,
 /// `α'' + (λ² - 2 i b) α/4 = 0` with `λ² = w² + u²`: M. Romano, Celestial Mechanics and Dynamical
-/// Astronomy 101 (2008) 375; of a spherical body 100 (2008) 181. Where λ² is above `81 b` they are
-/// computed by an expansion in `b/λ²`, in which precession about L is the first term; below, while
-/// the spin reverses, by Taylor series from places that are set up with the path. So a torque that
-/// vanishes leaves steady precession, and the cost of an evaluation is bounded, whatever the time:
-/// about that of a [`LagrangeTop`](super::LagrangeTop). The set-up costs a dozen of them, two or
-/// three where w² is above `81 b`.
+/// Astronomy 101 (2008) 375; for a spherical body 100 (2008) 181. If λ² is above `81 b`, they are
+/// computed by an expansion in `b/λ²`, whose first term is precession about L. Below that, while
+/// the spin reverses, Taylor series are used, from points that are set up with the path. A torque
+/// that tends to zero therefore leaves steady precession, and the cost of an evaluation is bounded
+/// at all times: about that of a [`LagrangeTop`](super::LagrangeTop). The setup costs a dozen
+/// evaluations, or two or three if w² is above `81 b`.
 ///
-/// The error of the attitude is within 4e-15 and one rounding for each radian turned; the sign of
+/// The error of the attitude is within 4e-15 plus one rounding per radian turned; the sign of
 /// the quaternion is continuous in time.
 ///
 /// ```
@@ -49,7 +49,7 @@ use sweep::Sweep;
 /// use newton_euler::prelude::*;
 /// use nalgebra::Vector3;
 ///
-/// // a stage that is spun up: its wobble gets smaller than its spin
+/// // a stage that is spun up: its wobble decreases relative to its spin
 /// let start = Rotation { angular_velocity: Vector3::new(0.3, 0.0, 0.5), ..Rotation::default() };
 /// let stage = AxialTorque::new([2.0, 1.0], Vector3::z_axis(), 0.1, &start);
 /// let end = stage.at(100.0);
@@ -67,8 +67,8 @@ enum Case {
 }
 
 impl AxialTorque {
-    /// From the moments across the axis and about it \[kg m²\], of G, or of the point that is held;
-    /// the axis, in the body; the moment N about it \[N m\], and the state at time zero.
+    /// From the moments perpendicular to the axis and about it \[kg m²\], about G or the held
+    /// point; the axis, in the body; the moment N about it \[N m\], and the state at time zero.
     #[must_use]
     pub fn new(moments: [f64; 2], axis: UnitVector3<f64>, torque: f64, state: &Rotation) -> Self {
         Self(if torque == 0.0 {
@@ -99,7 +99,7 @@ impl Path for AxialTorque {
     }
 }
 
-/// The motion under a torque that is not zero.
+/// The motion under a nonzero torque.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Spinning {
     start: Quaternion<f64>,
@@ -110,11 +110,11 @@ pub(super) struct Spinning {
     across: Vector3<f64>,
     /// N/C
     acceleration: f64,
-    /// The power of two by which time is faster in what follows.
+    /// The power of two by which time is scaled below.
     exponent: i32,
-    /// κ θ is the first times t, and the second times t².
+    /// κ θ is the first times t, plus the second times t².
     spin: [Twofold; 2],
-    /// P; none where there is no angular velocity across e.
+    /// P; none if there is no angular velocity across e.
     passage: Option<Passage>,
 }
 

@@ -8,13 +8,13 @@ use super::wobble::{lag, tilt};
 use crate::numbers::math;
 use crate::numbers::twofold::Twofold;
 
-/// P, put together of precession before the spin reverses, the reversal, and precession after it.
+/// P, composed of precession before the spin reverses, the reversal, and precession after it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Passage {
     sweep: Sweep,
-    /// With what P begins there; none where the vector sweeps slowly throughout.
+    /// With the initial P of the reversal; none if the vector sweeps slowly throughout.
     reversal: Option<(Quaternion<f64>, Reversal)>,
-    /// For negative u, and for positive; without a reversal they are one.
+    /// For negative u, and for positive; identical without a reversal.
     precessions: [Leg; 2],
 }
 
@@ -72,16 +72,16 @@ impl Passage {
     }
 }
 
-/// A leg of precession about the vector, from a place on.
+/// A leg of precession about the vector, from a point on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Leg {
     time: Twofold,
     place: Place,
-    /// By what the phase differs from `∫ λ dt`, counted from where u vanishes.
+    /// The difference of the phase from `∫ λ dt`, counted from the zero of u.
     lag: f64,
-    /// The lag where u vanishes; zero where there is a reversal, for then u keeps its sign.
+    /// The lag at the zero of u; zero if there is a reversal, because u then keeps its sign.
     middle: f64,
-    /// With what P begins.
+    /// The initial P of the leg.
     before: Quaternion<f64>,
 }
 
@@ -91,7 +91,7 @@ impl Leg {
         Self::new(sweep, middle, Twofold::default(), start, one)
     }
 
-    /// From P at a time and place.
+    /// From P at a time and point.
     fn new(sweep: &Sweep, middle: f64, time: Twofold, place: Place, p: Quaternion<f64>) -> Self {
         let local = Local::new(sweep, &place);
         Self {
@@ -112,7 +112,7 @@ impl Leg {
     }
 }
 
-/// What a slow sweep is like at a place.
+/// The local properties of a slow sweep.
 struct Local {
     /// c and s, of the angle between the third axis and the vector.
     cosine: f64,

@@ -11,9 +11,9 @@ use crate::mechanics::attitude;
 use crate::numbers::math;
 use crate::numbers::twofold::Twofold;
 
-/// |τ| up to which series go: from there on `ε = b/λ²` is no more than 1/81.
+/// |τ| up to which series are used: beyond it `ε = b/λ²` is at most 1/81.
 const REACH: f64 = 9.0;
-/// From zero to there.
+/// The number of points from zero to there.
 const NODES: usize = 10;
 
 /// R at whole τ.
@@ -27,7 +27,7 @@ pub(super) struct Reversal {
 }
 
 impl Reversal {
-    /// None if λ never is small.
+    /// None if λ is never small.
     pub fn new(sweep: &Sweep) -> Option<Self> {
         let unit = sweep.rate.sqrt();
         let across = 0.5 * sweep.across.value() / unit.value();
@@ -49,17 +49,17 @@ impl Reversal {
         })
     }
 
-    /// Where it begins, and where it ends.
+    /// The start and the end of the reversal.
     pub fn edges(&self) -> [Twofold; 2] {
         [-REACH, REACH].map(|edge| self.unit * Twofold::from(edge))
     }
 
-    /// Whether a place is within its edges.
+    /// Whether a point is within its edges.
     pub fn holds(&self, place: &Place) -> bool {
         place.along.value().abs() < REACH * self.unit.value()
     }
 
-    /// R at a place that is not beyond its edges.
+    /// R at a point that is not beyond its edges.
     pub fn at(&self, place: &Place) -> Quaternion<f64> {
         let is_before = place.along.value() < 0.0;
         let along = if is_before { -place.along } else { place.along } / self.unit;
@@ -70,7 +70,7 @@ impl Reversal {
             reason = "a small whole number"
         )]
         let node = &self.nodes[(nearest as usize).min(NODES - 1)];
-        // τ in twice the precision: out there R turns by many radians for each unit
+        // τ in twice the precision: far out R rotates by many radians per unit
         let rest = (along - Twofold::from(nearest)).value();
         let r = advanced(node, self.across, nearest, rest);
         if is_before {

@@ -1,4 +1,4 @@
-//! A vector `(w, 0, u)` of which the third component is linear in time.
+//! A vector `(w, 0, u)` whose third component is linear in time.
 
 use crate::numbers::math;
 use crate::numbers::twofold::Twofold;
@@ -16,7 +16,7 @@ pub(super) struct Sweep {
     pub rate: Twofold,
 }
 
-/// Where a sweep has come to.
+/// A point of a sweep.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Place {
     /// u
@@ -26,7 +26,7 @@ pub(super) struct Place {
 }
 
 impl Place {
-    /// 1 where u is positive, else 0.
+    /// 1 if u is positive, otherwise 0.
     pub fn side(&self) -> usize {
         usize::from(self.along.value() > 0.0)
     }
@@ -49,12 +49,12 @@ impl Sweep {
         }
     }
 
-    /// The time from the start to a place.
+    /// The time from the start to a point.
     pub fn time(&self, place: &Place) -> Twofold {
         (place.along - self.start) / self.rate
     }
 
-    /// `∫ λ dt` between two places, over the time between them: with y the difference of
+    /// `∫ λ dt` between two points, divided by the time between them, where y is the difference of
     /// `asinh(u/w)`,
     ///
     /// ```text

@@ -8,9 +8,9 @@ use crate::numbers::scale;
 
 /// `R_J(x, y, z, p) = (3/2) ∫₀^∞ dt / ((t + p) √((t + x)(t + y)(t + z)))`.
 ///
-/// x, y and z are not negative, and p is positive; where two of x, y, z are zero, or p is, it is
-/// infinite. By duplication: all arguments come four times nearer to each other in each step, then
-/// the Taylor series is summed to the terms of seventh order.
+/// x, y and z are not negative, and p is positive; the integral is infinite if two of x, y, z are
+/// zero, or p is. By duplication: each step brings all arguments four times nearer to each other,
+/// then the Taylor series is summed to the terms of seventh order.
 ///
 /// ```
 /// use newton_euler::exact::r_j;

@@ -1,14 +1,14 @@
 //! Jacobi's elliptic functions, from the complementary modulus.
 //!
 //! By the arithmetic-geometric mean: R. Bulirsch, Numerical calculation of elliptic integrals and
-//! elliptic functions, Numerische Mathematik 7 (1965) 78. All sums are of positive terms, so that
-//! cn and dn keep their digits where they are small, as all motions need that pass near a saddle.
+//! elliptic functions, Numerische Mathematik 7 (1965) 78. All sums have positive terms, so
+//! cn and dn keep their digits where they are small. Motions that pass near a saddle need that.
 
 use core::f64::consts::FRAC_PI_2;
 
 use crate::numbers::math;
 
-/// Means from 1 and k' until they agree to half of their digits; of the smallest k' there are 13.
+/// Means from 1 and k' until they agree to half of their digits; the smallest k' needs 13.
 const LEVELS: usize = 14;
 
 /// sn, cn and dn of one argument.
@@ -43,8 +43,8 @@ pub struct Jacobi {
 }
 
 impl Jacobi {
-    /// From `k' = √(1 - k²)`, between 0 and 1: what is near a separatrix is told apart by k', not
-    /// by k.
+    /// From `k' = √(1 - k²)`, between 0 and 1: near a separatrix, k' distinguishes values that k
+    /// does not.
     #[must_use]
     pub fn new(complement: f64) -> Self {
         let (mut levels, mut count) = ([[0.0; 2]; LEVELS], 0);
@@ -84,7 +84,7 @@ impl Jacobi {
         FRAC_PI_2 / self.mean
     }
 
-    /// `π/(2 K)`: by this factor arguments become angles, half a turn for half a period. Zero for
+    /// `π/(2 K)`: this factor converts arguments to angles, half a turn for half a period. Zero for
     /// k = 1.
     #[must_use]
     pub const fn mean(&self) -> f64 {
@@ -106,7 +106,7 @@ impl Jacobi {
         self.mean == 0.0
     }
 
-    /// The same of the angle `π u/(2 K)`.
+    /// The same for the angle `π u/(2 K)`.
     pub(in crate::exact) fn at_angle(&self, sine: f64, cosine: f64) -> Elliptic {
         if sine.abs() < 1e-140 {
             return Elliptic {
@@ -129,15 +129,15 @@ impl Jacobi {
         Elliptic { sn, cn: c * sn, dn }
     }
 
-    /// The functions of a sum, from those of two arguments with `cn >= 0`; cn and dn keep their
-    /// digits where they are small: of equal forms, the one that does not cancel.
+    /// The functions of a sum, from those of two arguments with `cn >= 0`. cn and dn keep their
+    /// digits where they are small: among equivalent forms, the one that does not cancel is used.
     pub(in crate::exact) fn sum(&self, a: Elliptic, b: Elliptic) -> Elliptic {
         let complement = self.complement;
         let square = (1.0 - complement) * (1.0 + complement);
         let (sines, cosines, rest) = (a.sn * b.sn, a.cn * b.cn, a.dn * b.dn);
         let scale = a.cn * a.cn + (a.sn * b.dn) * (a.sn * b.dn); // 1 - k² sn² sn²
         if scale == 0.0 {
-            // for k = 1, an endless argument: nothing is far from there
+            // for k = 1, an infinite argument: adding to it changes nothing
             return a;
         }
         let sn = (a.sn * b.cn * b.dn + b.sn * a.cn * a.dn) / scale;

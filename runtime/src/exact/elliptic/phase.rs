@@ -1,4 +1,4 @@
-//! An elliptic argument that grows uniformly in time.
+//! An elliptic argument that increases uniformly in time.
 
 use core::f64::consts::{FRAC_1_PI, PI};
 
@@ -6,17 +6,17 @@ use super::jacobi::{Elliptic, Jacobi};
 use crate::numbers::math;
 use crate::numbers::twofold::Twofold;
 
-/// π less the double next to it.
+/// π minus the nearest double.
 const PI_REST: f64 = 1.224_646_799_147_353_2e-16;
 
-/// `u = u₀ + λ t`, where sn, cn and dn of u₀ are known: no integral has to be inverted, the
-/// addition theorem takes its place.
+/// `u = u₀ + λ t`, where sn, cn and dn of u₀ are known: the addition theorem replaces the inversion
+/// of an integral.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::exact) struct Phase {
     pub jacobi: Jacobi,
-    /// Of u₀, or of u₀ less half a period: within a quarter period of zero.
+    /// Of u₀, or of u₀ minus half a period: within a quarter period of zero.
     pub start: Elliptic,
-    /// Whether half a period was taken off.
+    /// Whether half a period was subtracted.
     is_opposite: bool,
     /// Rate of the angle `π u/(2 K)`, and for k = 1 of u itself \[rad/s\].
     pub rate: f64,
@@ -26,13 +26,13 @@ pub(in crate::exact) struct Phase {
 pub(in crate::exact) struct Reading {
     /// Half periods in it.
     pub halves: f64,
-    /// The functions of what is left over, v, within a quarter period of zero.
+    /// The functions of the remainder v, within a quarter period of zero.
     pub rest: Elliptic,
     /// v as an angle \[rad\]; for k = 1, v itself.
     pub angle: f64,
     /// The functions of `start + v`.
     pub sum: Elliptic,
-    /// Whether u is half a period, or an odd number of them, further on.
+    /// Whether u is further by an odd number of half periods.
     is_opposite: bool,
 }
 
@@ -61,7 +61,7 @@ impl Phase {
         }
     }
 
-    /// The argument at a time \[s\]. Half periods are taken off in twice the precision.
+    /// The argument at a time \[s\]. Half periods are subtracted in twice the precision.
     pub fn at(&self, time: f64) -> Reading {
         let phase = Twofold::product(self.rate, time);
         let (halves, angle, rest) = if self.jacobi.is_hyperbolic() {
@@ -94,7 +94,7 @@ impl Reading {
         }
     }
 
-    /// am u, from that of the start less half a turn if that was taken off.
+    /// am u, from that of the start, minus half a turn if that was subtracted.
     pub fn amplitude(&self) -> f64 {
         let Elliptic { sn, cn, .. } = self.sum;
         let carried = if cn < 0.0 {

@@ -1,12 +1,12 @@
-//! An elliptic integral of the third kind along an argument that grows uniformly.
+//! An elliptic integral of the third kind along an argument that increases uniformly.
 //!
 //! ```text
 //! R(u) = ∫₀ᵘ sn²/(1 + m sn²) du = s³/3 R_J(cn², dn², 1, 1 + m s²)      s = sn u
 //! ```
 //!
-//! In the time t, v is added to the start u, whole half periods taken off; R is added by the
-//! addition theorem (P. F. Byrd, M. D. Friedman, Handbook of Elliptic Integrals, 116), so that a
-//! short time brings no error of a long one:
+//! After the time t, v is added to the start u, without whole half periods. The addition theorem
+//! gives R (P. F. Byrd, M. D. Friedman, Handbook of Elliptic Integrals, 116), so a
+//! short time does not have the error of a long one:
 //!
 //! ```text
 //! R(u + v) - R(u) = R(v) + atan(g sn u sn v s/(1 + m - m cn u cn v cn(u + v)))/g
@@ -34,7 +34,7 @@ pub(in crate::exact) struct ThirdKind {
 }
 
 impl ThirdKind {
-    /// From m, 1 + m and g: they may be known better than from each other.
+    /// From m, 1 + m and g, each of which may be known more accurately than from the others.
     pub fn new(jacobi: &Jacobi, [parameter, above, scale]: [f64; 3]) -> Self {
         let last = jacobi.complement();
         Self {
@@ -59,7 +59,7 @@ impl ThirdKind {
             }
     }
 
-    /// By how much R has grown, less its mean rate times the time.
+    /// The growth of R, minus its mean rate times the time.
     pub fn periodic(&self, phase: &Phase, reading: &Reading) -> f64 {
         self.within_quarter(&phase.jacobi, reading.rest)
             + self.step(phase.start, reading.rest, reading.sum)

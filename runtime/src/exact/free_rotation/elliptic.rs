@@ -1,9 +1,9 @@
 //! Free rotation of a body with three different moments of inertia.
 //!
 //! L. D. Landau, E. M. Lifshitz, Mechanics, § 37; R. van Zon, J. Schofield, J. Comput. Phys. 225
-//! (2007) 145. The forms here do not cancel, so that nothing is lost near the separatrix. Axes are
-//! principal: 2 that of the intermediate moment, 3 the one that the angular momentum m circles, of
-//! the largest or the smallest moment; `m₃ > 0`. With G = |m|, T the kinetic energy,
+//! (2007) 145. The forms here do not cancel, so no accuracy is lost near the separatrix. Axes are
+//! principal: 2 is that of the intermediate moment, 3 the one that the angular momentum m circles,
+//! with the largest or the smallest moment; `m₃ > 0`. With G = |m|, T the kinetic energy,
 //! `D_ij = |I_i - I_j|`:
 //!
 //! ```text
@@ -14,14 +14,14 @@
 //! k'² = (D₁₃/D₂₃) (a + b) (a - b)/E₁      a² = I₃ D₂₃ ω₃²,  b² = I₁ D₁₂ ω₁²
 //! ```
 //!
-//! Attitude: A(m) is the shortest rotation of m to axis 3, and what is left is a turn about the
-//! angular momentum, which is constant in space,
+//! Attitude: A(m) is the shortest rotation of m to axis 3, and the remainder is a rotation about
+//! the angular momentum, which is constant in space,
 //!
 //! ```text
 //! q(t) = q(0) A(m(0))⁻¹ exp(χ e₃) A(m(t))       χ' = (2 T + G ω₃)/(G + m₃)
 //! ```
 //!
-//! χ' is positive and smooth in all motions, so that nothing has to be unwrapped. A Landen
+//! χ' is positive and smooth in all motions, so nothing has to be unwrapped. A Landen
 //! transformation to the modulus `k₁ = (1 - k')/(1 + k')` makes it a function of sn² alone, with
 //! `p² = k₁ (I₁ W₁/(G + I₃ W₃))²`, s = sn(u₁, k₁):
 //!
@@ -31,7 +31,7 @@
 //! C = 2 k₁ W₃ E₃/((G + I₃ W₃)² |λ|/(1 + k₁))
 //! ```
 //!
-//! [`ThirdKind`] has R, and how it grows.
+//! [`ThirdKind`] computes R and its growth.
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
@@ -44,7 +44,7 @@ use crate::numbers::scale;
 use crate::numbers::twofold::Twofold;
 use crate::state::Rotation;
 
-/// The motion from one state on.
+/// The motion from one state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Circling {
     /// Takes components along the axes 1, 2, 3 to body axes.
@@ -69,7 +69,7 @@ pub(super) struct Circling {
     third: ThirdKind,
 }
 
-/// The axes 1, 2, 3, and what is known along them.
+/// The axes 1, 2, 3, and the components along them.
 struct Arranged {
     axes: Matrix3<f64>,
     moments: [f64; 3],
@@ -80,8 +80,8 @@ struct Arranged {
     sign: f64,
 }
 
-/// Principal axes by ascending moments, right-handed, `ω₃ >= 0`; then 1 and 3 are exchanged where ω
-/// circles the least moment.
+/// Principal axes by ascending moments, right-handed, `ω₃ >= 0`; 1 and 3 are exchanged if ω
+/// circles the axis of the least moment.
 fn arrange(moments: [f64; 3], principal: &Matrix3<f64>, w: &Vector3<f64>) -> Arranged {
     let size = |along: f64, from: f64, rate: f64| {
         let moment = Twofold::from(along) * Twofold::sum(along, -from);
@@ -138,10 +138,10 @@ fn ascending<A>([a, b, c]: [(f64, A); 3]) -> [(f64, A); 3] {
 }
 
 impl Circling {
-    /// Principal moments, the axes in columns, right-handed, and the state. No two moments are
+    /// From principal moments, the axes in columns, right-handed, and the state. No two moments are
     /// equal, and ω is not along a principal axis.
     pub fn new(moments: [f64; 3], principal: &Matrix3<f64>, state: &Rotation) -> Self {
-        // all rates carry one power of two
+        // all rates share one power of two
         let exponent = scale::exponent(state.angular_velocity.amax());
         let w = scale::scaled(&state.angular_velocity, -exponent);
         let Arranged {

@@ -12,15 +12,16 @@ mod regular;
 use elliptic::Circling;
 use regular::Regular;
 
-/// Rotation without a moment about G, or about a point that is held.
+/// Rotation without a moment about G, or about a held point.
 ///
-/// A body with three different moments turns by Jacobi's elliptic functions and an integral of the
-/// third kind; one with two equal moments precesses steadily; about a principal axis, and with
-/// three equal moments, the angular velocity is constant. What is zero stays exactly zero, the sign
-/// of the quaternion is continuous in time, and moments and rates may have any size.
+/// A body with three different moments rotates by Jacobi's elliptic functions and an integral of
+/// the third kind. A body with two equal moments precesses steadily. About a principal axis, and
+/// with three equal moments, the angular velocity is constant. Components that are zero stay
+/// exactly zero, the sign of the quaternion is continuous in time, and moments and rates may have
+/// any size.
 ///
-/// The error of the end state is about that of one rounding of the inputs: a few 1e-16 for each
-/// radian turned, near the separatrix too, where a body spun about its intermediate axis flips.
+/// The error of the end state is about that of one rounding of the inputs: a few 1e-16 per
+/// radian turned, also near the separatrix, where a body spun about its intermediate axis flips.
 ///
 /// ```
 /// use newton_euler::exact::{FreeRotation, Path};
@@ -47,7 +48,7 @@ enum Case {
 }
 
 impl FreeRotation {
-    /// From the inertia about the point about which there is no moment, in body axes, and the state
+    /// From the inertia about the point without a moment, in body axes, and the state
     /// at time zero.
     #[must_use]
     pub fn new(inertia: &InertiaTensor, state: &Rotation) -> Self {
@@ -77,7 +78,7 @@ impl FreeRotation {
     pub fn principal(moments: [f64; 3], axes: &Matrix3<f64>, state: &Rotation) -> Self {
         let ([i, j, k], [a, b, c]) = (moments, <[[f64; 3]; 3]>::from(*axes));
         let [x, y, z] = axes.tr_mul(&state.angular_velocity).into();
-        // two moments and the rates about their axes, the third one and its axis
+        // two moments and the rates about their axes; the third moment and its axis
         let pairs = [
             ([j, k], [y, z], i, a),
             ([k, i], [z, x], j, b),
@@ -100,8 +101,8 @@ impl FreeRotation {
         Self(Case::Circling(Circling::new(moments, axes, state)))
     }
 
-    /// From the moment across an axis of symmetry and the one about it \[kg m²\], and the axis, in
-    /// the body.
+    /// From the moment perpendicular to an axis of symmetry and the one about it \[kg m²\], and the
+    /// axis, in the body.
     ///
     /// ```
     /// # use newton_euler::exact::{FreeRotation, Path};
@@ -121,7 +122,7 @@ impl FreeRotation {
         )))
     }
 
-    /// About an axis that stays where it is: a body with three equal moments, or any body about a
+    /// About a constant axis: a body with three equal moments, or any body about a
     /// principal axis.
     ///
     /// ```
@@ -139,8 +140,8 @@ impl FreeRotation {
         Self(Case::Regular(Regular::steady(state)))
     }
 
-    /// The time after which the angular velocity in the body repeats \[s\]; none where it is
-    /// constant, and on the separatrix, where it never does.
+    /// The time after which the angular velocity in the body repeats \[s\]; none if it is
+    /// constant, and on the separatrix, where it never repeats.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         match &self.0 {

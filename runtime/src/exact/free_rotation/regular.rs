@@ -1,6 +1,7 @@
 //! Free rotation of a body with an axis of symmetry, or about a principal axis: steady precession.
 //!
-//! With L the angular momentum, A the moment across the axis of symmetry n and C the one about it,
+//! With L the angular momentum, A the moment perpendicular to the axis of symmetry n and C the one
+//! about it,
 //!
 //! ```text
 //! q(t) = q(0) exp(t L(0)/A) exp(ν t n)      ν = (1 - C/A) n·ω
@@ -34,14 +35,14 @@ pub(super) struct Regular {
 }
 
 impl Regular {
-    /// Of a body with the moments A across and C along a unit vector.
+    /// For a body with the moments A across and C along a unit vector.
     pub fn symmetric([across, along]: [f64; 2], axis: Vector3<f64>, state: &Rotation) -> Self {
         let w = state.angular_velocity;
         let exponent = scale::exponent(w.amax());
         let rate = axis.dot(&scale::scaled(&w, -exponent));
         let ratio = Twofold::from(along) / Twofold::from(across);
         let excess = Twofold::sum(along, -across) / Twofold::from(across);
-        // what is along n is exact where n is an axis of the body: w - n (n.w), not w × (n × w)
+        // exact along n if n is a body axis: w - n (n.w), not w × (n × w)
         let part = axis * axis.dot(&w);
         let rest = w - part;
         let momentum = rest + part * ratio.value();
@@ -57,7 +58,7 @@ impl Regular {
         }
     }
 
-    /// About an axis that stays where it is.
+    /// About a constant axis.
     pub fn steady(state: &Rotation) -> Self {
         let (rate, direction) = scale::direction(&state.angular_velocity);
         Self {
@@ -90,7 +91,7 @@ impl Regular {
     }
 }
 
-/// The unit quaternion of a turn by this angle about a unit vector.
+/// The unit quaternion of a rotation by this angle about a unit vector.
 fn turn(axis: &Vector3<f64>, angle: Twofold) -> Quaternion<f64> {
     let (sine, cosine) = angle.scaled(-1).sin_cos();
     Quaternion::from_parts(cosine, axis * sine)

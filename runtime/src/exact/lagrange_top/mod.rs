@@ -23,25 +23,26 @@ use turning_points::{Start, TurningPoints};
 /// A body that is symmetric about an axis, under a couple `k × e`: k is constant in the world, e is
 /// the unit vector along the axis.
 ///
-/// So turns a top about a fixed point of its axis, with k upwards, of size m g l, and e from there
-/// to the center of mass; or a magnet in a uniform field.
+/// Examples are a top about a fixed point of its axis, with k upwards, of size m g l, and e from
+/// there to the center of mass; or a magnet in a uniform field.
 ///
-/// The height of the axis over the horizon is an elliptic function of time, the attitude goes by
-/// integrals of the third kind: in the parameters of Cayley and Klein, without angles, so that a
-/// top that is upright or hangs, or passes there, is like any other. F. Klein, A. Sommerfeld, Über
-/// die Theorie des Kreisels (1897), chapter VI; E. T. Whittaker, Analytical Dynamics, §§ 71 to 74.
+/// The height of the axis over the horizon is an elliptic function of time, and the attitude
+/// follows from integrals of the third kind, in the parameters of Cayley and Klein. There are no
+/// angles, so a top that is upright or hanging, or passes these positions, is no special case. F.
+/// Klein, A. Sommerfeld, Über die Theorie des Kreisels (1897), chapter VI; E. T. Whittaker,
+/// Analytical Dynamics, §§ 71 to 74.
 ///
-/// Errors are those of rounding for each radian turned, also where it nearly precesses steadily,
-/// sleeps, or falls along the separatrix; the sign of the quaternion is continuous in time. A top
-/// at rest falls the way it leans, whatever is left of an attitude as its tilt: down to 1e-70,
-/// below which it stays where it is.
+/// Errors are one rounding per radian turned, also if the top nearly precesses steadily,
+/// sleeps, or falls along the separatrix. The sign of the quaternion is continuous in time. A top
+/// at rest falls in the direction of its tilt, however small, down to 1e-70;
+/// below that it stays at rest.
 ///
 /// ```
 /// use newton_euler::exact::{LagrangeTop, Path};
 /// use newton_euler::prelude::*;
 /// use nalgebra::Vector3;
 ///
-/// // released with its axis level: it falls, and rises again to where it was
+/// // released with its axis level: it falls, and rises again to its initial height
 /// let start = Rotation {
 ///     attitude: newton_euler::attitude::exp(&(Vector3::x() * core::f64::consts::FRAC_PI_2)),
 ///     angular_velocity: Vector3::new(0.0, 0.0, 100.0),
@@ -62,8 +63,8 @@ enum Case {
 }
 
 impl LagrangeTop {
-    /// From the moments across the axis and about it \[kg m²\], of the point that is held, or of G;
-    /// the axis, in the body; k \[N m\], in the world; and the state at time zero.
+    /// From the moments perpendicular to the axis and about it \[kg m²\], about the held point or
+    /// G; the axis, in the body; k \[N m\], in the world; and the state at time zero.
     #[must_use]
     pub fn new(
         moments: [f64; 2],
@@ -82,8 +83,8 @@ impl LagrangeTop {
         )
     }
 
-    /// The time in which the axis falls and rises once \[s\]; none where its height is constant
-    /// without a couple, or upright or hanging without a motion, and on the separatrix, where it
+    /// The time in which the axis falls and rises once \[s\]; none if its height is constant
+    /// without a couple, or upright or hanging at rest, and on the separatrix, where it
     /// never falls back.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
@@ -109,20 +110,20 @@ impl Path for LagrangeTop {
             Case::Free(free) => free.pace(time),
             Case::Nutating(nutation) => {
                 let turning = self.at(0.0).angular_velocity.norm();
-                // falling from upright, it turns at twice the rate of the phase
+                // falling from upright, it rotates at twice the rate of the phase
                 1.0 / (turning + 2.0 * nutation.phase.rate.abs())
             }
         }
     }
 }
 
-/// Of tilts below this, an attitude has fewer digits than of itself.
+/// For tilts below this, an attitude has fewer digits of the tilt than of itself.
 const NEAR: f64 = 0.1;
 
-/// Tilts, and velocities in their unit, of which the fourth powers do not underflow.
+/// Tilts, and velocities in their unit, whose fourth powers do not underflow.
 const LEAST: f64 = 1e-70;
 
-/// How the tilt of a top goes up and down.
+/// The oscillation of the tilt of a top.
 struct Nodding {
     start: Start,
     points: TurningPoints,
@@ -171,7 +172,7 @@ impl Nodding {
         }
     }
 
-    /// α for the sign 1, β for -1: from its ω, itself and its velocity at time zero.
+    /// α for the sign 1, β for -1, from its ω, its value and its velocity at time zero.
     fn parameter(
         &self,
         sign: f64,
@@ -201,9 +202,9 @@ impl Nodding {
 /// The motion of a top that is not at rest on the vertical.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Nutation {
-    /// Takes axes of which the third is along k to those of the world.
+    /// Takes axes whose third is along k to those of the world.
     world: Quaternion<f64>,
-    /// Takes axes of the body to those of which the third is e.
+    /// Takes axes of the body to those whose third is e.
     body: Quaternion<f64>,
     phase: Phase,
     /// α and β
@@ -234,7 +235,7 @@ impl Nutation {
         let alpha = Complex::new(attitude.w, attitude.k);
         let beta = Complex::new(attitude.i, attitude.j);
 
-        // all rates carry one power of two
+        // all rates share one power of two
         let rates = state.angular_velocity;
         let couple = size / Twofold::from(across);
         let exponent = scale::exponent(f64::max(rates.amax(), math::sqrt(couple.value())));
@@ -278,7 +279,7 @@ impl Nutation {
             .parameters
             .map(|parameter| parameter.at(time, &self.phase, &reading));
         let turning = Complex::new(0.0, self.spin);
-        // α' and β' without the spin: by that of the parameter that is the smaller
+        // α' and β' without the spin, computed by that of the smaller parameter
         let [upright, hanging] = [alpha, beta].map(|parameter| parameter.norm_sqr());
         let omega = if upright >= hanging {
             alpha.conj() * (turning * beta + rising * self.double_rate) / upright
@@ -298,7 +299,7 @@ impl Nutation {
     }
 }
 
-/// What the height of the axis depends on, from a, p, α and β, and the angular velocity across the
+/// The constants of the height of the axis, from a, p, α and β, and the angular velocity across the
 /// axis.
 fn start(
     couple: Twofold,
@@ -334,12 +335,12 @@ fn onto_third(unit: &Vector3<f64>) -> Quaternion<f64> {
     if unit.z >= 0.0 {
         return attitude::to_third_axis(unit);
     }
-    // half a turn about the first axis before
+    // first half a turn about the first axis
     let turned = Vector3::new(unit.x, -unit.y, -unit.z);
     attitude::to_third_axis(&turned) * Quaternion::new(0.0, 1.0, 0.0, 0.0)
 }
 
-/// Whether an attitude leaves little of a tilt of the third axis.
+/// Whether an attitude determines a tilt of the third axis only to few digits.
 fn is_next_to_vertical(attitude: &Quaternion<f64>) -> bool {
     let is_near = |a: f64, b: f64| f64::max(a.abs(), b.abs()) < NEAR;
     is_near(attitude.w, attitude.k) || is_near(attitude.i, attitude.j)

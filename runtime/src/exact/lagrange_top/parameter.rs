@@ -1,15 +1,15 @@
 //! The parameters of Cayley and Klein of a top.
 //!
-//! The attitude is α = w + i z and β = x + i y, `|α|² = (1 + u)/2`, `|β|² = (1 - u)/2`: no angles,
-//! and nothing happens at the vertical. With s, c, d = sn, cn, dn of λ t + u₀,
-//! `|α|² = c₁² (1 + n s²)`, n = (u₂ - u₁)/(1 + u₁), and of β with -(u₂ - u₁)/(1 - u₁); and
+//! The attitude is α = w + i z and β = x + i y, `|α|² = (1 + u)/2`, `|β|² = (1 - u)/2`: there are
+//! no angles, and the vertical is not singular. With s, c, d = sn, cn, dn of λ t + u₀, `|α|² = c₁²
+//! (1 + n s²)`, n = (u₂ - u₁)/(1 + u₁), and for β with -(u₂ - u₁)/(1 - u₁); and
 //!
 //! ```text
 //! arg' = ω + σ λ G/(1 + n s²)      ω = ± (ω₃ - p)/2      G² = (1 + n)(1 + κ)      n κ = k²
 //! ```
 //!
-//! where σ is the sign of b ± p. There are two forms, of which the one has no pole near the real
-//! axis where the other has:
+//! where σ is the sign of b ± p. There are two forms. Each has no pole near the real axis where the
+//! other one has:
 //!
 //! ```text
 //! |n| < k       c₁ √(1 + n s²) exp i(ω t + σ G λ t - σ G n R)
@@ -33,11 +33,11 @@ use crate::numbers::twofold::Twofold;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Parameter {
     form: Form,
-    /// What turns the form at time zero to the start.
+    /// Rotates the form at time zero to the start.
     start: Complex<f64>,
     /// Mean rate of the argument.
     rate: f64,
-    /// Of R in the argument.
+    /// The factor of R in the argument.
     amplitude: f64,
     third: ThirdKind,
 }
@@ -45,7 +45,7 @@ pub(super) struct Parameter {
 /// The factor before the exponential.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Form {
-    /// Whether it is the first.
+    /// Whether it is the first form.
     is_modulus: bool,
     /// c₁ and σ c₂
     sizes: [f64; 2],
@@ -55,11 +55,11 @@ struct Form {
     square: f64,
 }
 
-/// What a parameter is made from.
+/// The inputs of a parameter.
 pub(super) struct Ingredients {
     /// 1 for α, -1 for β
     pub sign: f64,
-    /// Of u₁, u₂ and, times 2a, u₃ from the pole where the parameter is zero.
+    /// The distances of u₁, u₂ and, times 2a, u₃ from the pole where the parameter is zero.
     pub distances: [f64; 3],
     /// `u₂ - u₁`
     pub apart: f64,

@@ -49,7 +49,7 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
     /// The same; if mass or inertia change, checks that the body is possible at start and end.
     ///
     /// # Errors
-    /// As [`advance`](Self::advance), and [`IntegrationError::InvalidBody`].
+    /// As for [`advance`](Self::advance), and [`IntegrationError::InvalidBody`].
     fn step(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
         if !B::CHANGES {
             return self.advance(end, input);
@@ -67,26 +67,26 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
         })
     }
 
-    /// The state within the step taken last, which was under this input.
+    /// The state within the last step, which had this input.
     fn within(&self, time: f64, input: &B::Input) -> B::State;
 
-    /// Hears where the motion is to end \[s\], before its first step.
+    /// Called with the end of the motion \[s\], before its first step.
     fn heads_for(&mut self, _end: f64) {}
 
-    /// Hears that the input of the next step is another than that of the last.
+    /// Called when the input changes between steps.
     fn renew(&mut self) {}
 
-    /// Hears in which stretch of time the next steps are.
+    /// Called with the stretch of time of the next steps.
     fn enter(&mut self, _stretch: Stretch) {}
 
-    /// Goes on from another state at the same time.
+    /// Continues from another state at the same time.
     fn replace(&mut self, state: &B::State);
 
-    /// Goes on until a time \[s\] lies within the step taken last, with steps that need not end
+    /// Advances until a time \[s\] lies within the last step, with steps that need not end
     /// there, but not beyond `end`.
     ///
     /// # Errors
-    /// As [`advance`](Self::advance).
+    /// As for [`advance`](Self::advance).
     fn seek(
         &mut self,
         time: f64,

@@ -1,11 +1,11 @@
-//! How far a motion has come.
+//! The current point of a motion.
 
 use super::error::IntegrationError;
 use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
-/// A time and a state to which others are added, with what was lost in rounding them: over long
-/// runs rounding grows with the square root of the number of steps and not with the number (W.
+/// A time and a state that accumulate increments, with their rounding errors: over long
+/// runs rounding grows with the square root of the number of steps instead of the number (W.
 /// Kahan, Comm. ACM 8 (1965) 40).
 pub(in crate::integrate) struct Point<S: Coordinates<Scalar = f64>> {
     pub(in crate::integrate) time: f64,
@@ -34,13 +34,13 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
         self.lost = S::Array::default();
     }
 
-    /// The time left until another.
+    /// The time remaining until another.
     #[inline(always)]
     pub(in crate::integrate) fn rest(&self, end: f64) -> f64 {
         (end - self.time) + self.late
     }
 
-    /// Where a change of coordinates leads, which is corrected for that; none if it is not finite.
+    /// The point after an increment, which is corrected; none if it is not finite.
     #[inline(always)]
     pub(in crate::integrate) fn moved(&self, change: &mut S::Array) -> Option<S::Array> {
         S::keep(&self.coordinates, change);
@@ -52,7 +52,7 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
         is_finite.then_some(moved)
     }
 
-    /// Moves on by a change that is corrected, in a step \[s\] or to a time that is known.
+    /// Adds a corrected increment, in a step \[s\] or to a known time.
     #[inline(always)]
     pub(in crate::integrate) fn follow(&mut self, change: &S::Array, step: f64, end: Option<f64>) {
         add(&mut self.coordinates, &mut self.lost, change);
@@ -62,7 +62,7 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
         };
     }
 
-    /// Where that leads, in a step \[s\].
+    /// The point after a step \[s\].
     #[inline(always)]
     pub(in crate::integrate) fn after(&self, change: &S::Array, step: f64) -> Self {
         let Self {
@@ -81,8 +81,8 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
         after
     }
 
-    /// Moves on by a change of coordinates in a step \[s\]; if what comes of it is not finite, it
-    /// stays and says false.
+    /// Adds an increment of the coordinates in a step \[s\]. If the result is not finite, changes
+    /// nothing and returns false.
     #[must_use]
     #[inline(always)]
     pub(in crate::integrate) fn advance(&mut self, mut change: S::Array, step: f64) -> bool {
@@ -93,7 +93,7 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
         is_finite
     }
 
-    /// The same, to a time that is known.
+    /// The same, to a known time.
     #[must_use]
     #[inline(always)]
     pub(in crate::integrate) fn arrive(&mut self, mut change: S::Array, end: f64) -> bool {
@@ -117,7 +117,7 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
     }
 }
 
-/// Adds to all coordinates, with what was lost of each.
+/// Adds to all coordinates, and updates their rounding errors.
 #[inline(always)]
 pub(crate) fn add<T: Scalar, A: AsRef<[T]> + AsMut<[T]>>(sums: &mut A, lost: &mut A, change: &A) {
     let places = sums.as_mut().iter_mut().zip(lost.as_mut());
@@ -126,7 +126,7 @@ pub(crate) fn add<T: Scalar, A: AsRef<[T]> + AsMut<[T]>>(sums: &mut A, lost: &mu
     }
 }
 
-/// A sum, and what was lost in rounding it.
+/// A sum, and its rounding error.
 #[inline(always)]
 pub(crate) fn compensated<T: Scalar>(sum: T, lost: T, change: T) -> (T, T) {
     let change = change + lost;

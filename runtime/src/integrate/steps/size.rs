@@ -1,12 +1,12 @@
-//! How large a change of a state is, and which step that permits.
+//! The size of a change of state, and the step that it permits.
 
 use crate::numbers::scalar::Scalar;
 use crate::state::{Coordinates, group};
 
-/// The size of a change of coordinates: of position, attitude, velocity, angular velocity each the
-/// largest component, relative to the largest component of the quantity itself where that is above
-/// 1, absolute (m, rad, m/s, rad/s) below; and of these the largest. What is not a number may be
-/// passed over.
+/// The size of a change of coordinates. For each of position, attitude, velocity and angular
+/// velocity it is the largest component, relative to the largest component of the quantity itself
+/// if that is above 1, and absolute (m, rad, m/s, rad/s) below; the result is the largest of
+/// these. NaN may be ignored.
 #[inline(always)]
 pub(in crate::integrate) fn relative_size<S: Coordinates>(
     change: &S::Array,
@@ -18,7 +18,7 @@ pub(in crate::integrate) fn relative_size<S: Coordinates>(
     for count in S::GROUPS {
         let size = largest_of(group(&mut changes, *count));
         let whole = largest_of(group(&mut wholes, *count));
-        // the quotient is there before the size is
+        // computed before the size is known
         largest = larger(largest, size * (one / larger(whole, one)));
     }
     largest
@@ -33,14 +33,14 @@ pub(in crate::integrate) fn largest_of<T: Scalar>(numbers: &[T]) -> T {
     largest
 }
 
-/// One instruction, where `f64::max` looks for what is not a number.
+/// One instruction; `f64::max` would check for NaN.
 #[inline(always)]
 pub(in crate::integrate) fn larger<T: Scalar>(a: T, b: T) -> T {
     T::select(b.less(a), a, b)
 }
 
-/// A tolerance, of what is finer than rounding the finest that there is; what is no tolerance is
-/// zero, which no step keeps.
+/// A valid tolerance: values below rounding become the finest useful one, and an invalid tolerance
+/// becomes zero, which no step satisfies.
 pub(crate) fn finest(tolerance: f64) -> f64 {
     if tolerance > 0.0 {
         tolerance.max(1e-18)
@@ -49,8 +49,8 @@ pub(crate) fn finest(tolerance: f64) -> f64 {
     }
 }
 
-/// `(a / b)^(1/k)` to a few parts in a hundred, which is all that a step needs: the bits of a
-/// double are its logarithm, with straight lines between the powers of two. Of what has no
+/// `(a / b)^(1/k)` to a few percent, which suffices for a step: the bits of a
+/// double approximate its logarithm, linearly between powers of two. If the quotient has no
 /// logarithm, the quotient itself.
 #[inline(always)]
 #[expect(

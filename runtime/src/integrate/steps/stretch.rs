@@ -8,7 +8,7 @@ use crate::numbers::scalar::Scalar;
 use crate::state::State;
 
 impl Stretch {
-    /// That of a body from a time on, and of a list of times that are known beside it.
+    /// The stretch of a body from a time on, with a list of additional known times.
     pub(crate) fn of<B: RigidBody>(
         body: &B,
         input: &B::Input,
@@ -23,7 +23,7 @@ impl Stretch {
 }
 
 /// The time \[s\] at which the equations of a body change next on the way from a time to an end, if
-/// they do: for solvers that are told where to stop.
+/// they do, for solvers that must be told where to stop.
 /// [`integrate`](crate::integrate::Integrate::integrate) stops there by itself.
 ///
 /// ```
@@ -58,7 +58,7 @@ pub fn next_switch<B: RigidBody>(body: &B, input: &B::Input, time: f64, end: f64
     is_before_end.then_some(next)
 }
 
-/// A body of which an input was given at a time, and may move since.
+/// A body whose input was given at a time, and may move since then.
 pub(crate) struct Given<'b, B: RigidBody> {
     pub(crate) body: &'b B,
     pub(crate) at: B::Scalar,
@@ -85,17 +85,17 @@ impl<B: RigidBody<Scalar: Scalar>> RigidBody for Given<'_, B> {
     }
 }
 
-/// A body within a stretch of time: what a step evaluates.
+/// A body within a stretch of time, as a step evaluates it.
 pub(crate) struct Within<'b, B: RigidBody> {
     pub(crate) body: &'b B,
     pub(crate) lower: B::Scalar,
     pub(crate) upper: B::Scalar,
-    /// When the input was given.
+    /// The time at which the input was given.
     pub(crate) given: B::Scalar,
 }
 
 impl<'b, B: RigidBody<Scalar = f64>> Within<'b, B> {
-    /// In all of time, with an input that is given at a time.
+    /// For all of time, with an input that is given at a time.
     pub(crate) fn new(body: &'b B, given: f64) -> Self {
         let mut within = Self {
             body,
@@ -122,7 +122,7 @@ impl<'b, B: RigidBody<Scalar = f64>> Within<'b, B> {
 }
 
 impl<B: RigidBody<Scalar: Scalar>> Within<'_, B> {
-    /// A time of a step, on the side of the step.
+    /// A time of a step, on the step's side of a switch.
     #[inline(always)]
     pub(crate) fn side(&self, time: B::Scalar) -> B::Scalar {
         let time = B::Scalar::select(time.less(self.lower), self.lower, time);

@@ -11,14 +11,14 @@ pub fn identity<T: Scalar>() -> UnitQuaternion<T> {
     unit([zero, zero, zero, one])
 }
 
-/// As [`attitude::exp`](super::exp).
+/// Like [`attitude::exp`](super::exp).
 #[inline(always)]
 #[must_use]
 pub fn exp<T: Scalar>(rotation: &Vector3<T>) -> UnitQuaternion<T> {
     let [x, y, z] = [rotation.x, rotation.y, rotation.z];
     let square = x * x + y * y + z * z;
-    // below, series replace divisions by the angle; of each sum, the first term left out is at most
-    // 2⁻⁵³
+    // for small angles, series replace divisions by the angle; the first omitted term of each sum
+    // is at most 2⁻⁵³
     let small = square.less(square.constant(1e-2, 1e-2));
     // cos(θ/2) and sin(θ/2)/θ
     let [cosine, ratio] = either(small, || series(square), || closed(square));
@@ -43,7 +43,7 @@ fn closed<T: Scalar>(square: T) -> [T; 2] {
     [cosine, sine / angle]
 }
 
-/// As [`attitude::normalized`](super::normalized).
+/// Like [`attitude::normalized`](super::normalized).
 #[inline(always)]
 #[must_use]
 pub fn normalized<T: Scalar>(quaternion: &Quaternion<T>) -> UnitQuaternion<T> {
@@ -53,7 +53,7 @@ pub fn normalized<T: Scalar>(quaternion: &Quaternion<T>) -> UnitQuaternion<T> {
     unit([x * factor, y * factor, z * factor, w * factor])
 }
 
-/// As [`attitude::turned`](super::turned).
+/// Like [`attitude::turned`](super::turned).
 #[inline(always)]
 #[must_use]
 pub fn turned<T: Scalar>(attitude: &UnitQuaternion<T>, rotation: &Vector3<T>) -> UnitQuaternion<T> {
@@ -84,7 +84,7 @@ fn unit<T: Scalar>(components: [T; 4]) -> UnitQuaternion<T> {
     Unit::new_unchecked(quaternion(components))
 }
 
-/// As [`attitude::kinematics`](super::kinematics).
+/// Like [`attitude::kinematics`](super::kinematics).
 #[inline(always)]
 #[must_use]
 pub fn kinematics<T: Scalar>(

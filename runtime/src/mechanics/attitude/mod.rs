@@ -1,7 +1,7 @@
-//! Attitudes as unit quaternions: exponential, logarithm, kinematics, normalisation.
+//! Attitudes as unit quaternions: exponential, logarithm, kinematics, normalization.
 //!
 //! A unit quaternion takes body components to world components. Rotation vectors are in body axes,
-//! so that turning on by one multiplies from the right. Every map holds its accuracy (a few units
+//! so a further rotation multiplies from the right. Every map keeps its accuracy (a few units
 //! in the last place) from angle zero, through angles whose square underflows, to π.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -27,7 +27,7 @@ pub fn exp(rotation: &Vector3<f64>) -> UnitQuaternion<f64> {
     generic::exp(rotation)
 }
 
-/// The rotation vector of an attitude, of angle at most π \[rad\]; q and -q give the same.
+/// The rotation vector of an attitude, with an angle of at most π \[rad\]; q and -q give the same.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -80,10 +80,10 @@ pub(crate) fn to_third_axis(unit: &Vector3<f64>) -> Quaternion<f64> {
     Quaternion::new(above * norm, unit.y * norm, -unit.x * norm, 0.0)
 }
 
-/// The unit quaternion next to one that is nearly unit, by one Newton step: `q (3 - |q|²)/2`.
+/// The unit quaternion nearest to one that is nearly unit, by one Newton step: `q (3 - |q|²)/2`.
 ///
-/// No root and no division; a deviation d of |q| from 1 becomes `3d²/2`, so what is below 1e-8
-/// vanishes. For quaternions far from unit use nalgebra's `UnitQuaternion::new_normalize`.
+/// It needs no root and no division. A deviation d of |q| from 1 becomes `3d²/2`, so deviations
+/// below 1e-8 vanish. For quaternions far from unit use nalgebra's `UnitQuaternion::new_normalize`.
 ///
 /// ```
 /// use nalgebra::Quaternion;
@@ -98,7 +98,7 @@ pub fn normalized(quaternion: &Quaternion<f64>) -> UnitQuaternion<f64> {
     generic::normalized(quaternion)
 }
 
-/// An attitude turned on by a rotation vector in body axes: normalised `q exp(v)`.
+/// An attitude rotated further by a rotation vector in body axes: normalized `q exp(v)`.
 ///
 /// ```
 /// use nalgebra::{UnitQuaternion, Vector3};
@@ -113,8 +113,8 @@ pub fn turned(attitude: &UnitQuaternion<f64>, rotation: &Vector3<f64>) -> UnitQu
     generic::turned(attitude, rotation)
 }
 
-/// An attitude as a map of its components by name, `{ w, x, y, z }`, so that no reader has to guess
-/// where the scalar is.
+/// An attitude in serialized form, as a map of its components by name, `{ w, x, y, z }`, so that no
+/// reader has to guess the place of the scalar.
 #[cfg(feature = "serde")]
 pub(crate) mod checked {
     use nalgebra::{Quaternion, UnitQuaternion, Vector4};
@@ -122,9 +122,9 @@ pub(crate) mod checked {
 
     use crate::numbers::scalar::Scalar;
 
-    /// How far |q|² read may be from 1: nine printed digits of a double pass, single precision does
-    /// not, and what passes is unit to rounding after the first step of a motion (see
-    /// [`super::normalized`]). It is kept as it was read.
+    /// The permitted deviation of |q|² from 1 on reading: nine printed digits of a double pass,
+    /// single precision does not, and an accepted attitude is unit to rounding after the first step
+    /// of a motion (see [`super::normalized`]). It is kept as read.
     fn tolerance<T: Scalar>() -> f64 {
         f64::max(1e-9, 8.0 * T::EPSILON)
     }

@@ -1,4 +1,4 @@
-//! The conditions on an inertia tensor, and which of them is violated.
+//! The conditions on an inertia tensor, and the errors of their violation.
 
 use core::fmt;
 
@@ -13,11 +13,11 @@ pub(super) const SLACK: f64 = 4.0 * f64::EPSILON;
 const AXES: [&str; 3] = ["x", "y", "z"];
 const ENTRIES: [[&str; 3]; 3] = [["xx", "xy", "zx"], ["xy", "yy", "yz"], ["zx", "yz", "zz"]];
 
-/// The condition that an inertia tensor violates; the first, from the plainest to the most general.
+/// The first violated condition of an inertia tensor, from the simplest to the most general.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum InvalidInertia {
-    /// An entry is infinite or not a number.
+    /// An entry is infinite or NaN.
     NotFinite {
         /// Such as `"xy"`.
         entry: &'static str,
@@ -59,11 +59,11 @@ pub enum InvalidInertia {
         /// Principal moments, ascending \[kg m²\].
         moments: [f64; 3],
     },
-    /// There is no moment of inertia about some axis, and the body is asked to turn about it.
+    /// The moment of inertia about some axis is zero, but the body must be able to rotate about it.
     Singular,
     /// A mass is negative or not finite, or all masses are zero.
     Mass {
-        /// What was given \[kg\].
+        /// The given value \[kg\].
         value: f64,
     },
 }
@@ -119,22 +119,22 @@ pub(super) fn check_mass(value: f64) -> Result<(), InvalidInertia> {
     }
 }
 
-/// What rounding may add to a moment, relative to the largest.
+/// The possible rounding of a moment, relative to the largest.
 pub(super) fn slack(matrix: &Matrix3<f64>) -> f64 {
     slack_of(matrix, f64::EPSILON)
 }
 
-/// The same of entries that were computed with this distance from one to the next number.
+/// The same for entries computed with this relative precision.
 fn slack_of(matrix: &Matrix3<f64>, epsilon: f64) -> f64 {
     SLACK / f64::EPSILON * epsilon * if is_diagonal(matrix) { 1.0 } else { 4.0 }
 }
 
-/// Without products.
+/// Whether there are no products.
 pub(super) fn is_diagonal(matrix: &Matrix3<f64>) -> bool {
     matrix.m12 == 0.0 && matrix.m23 == 0.0 && matrix.m13 == 0.0
 }
 
-/// Finite, and opposite entries equal to the slack.
+/// Checks that entries are finite, and that opposite entries are equal to the slack.
 pub(super) fn check_symmetry(matrix: &Matrix3<f64>) -> Result<(), InvalidInertia> {
     let tolerance = slack(matrix) * matrix.diagonal().amax();
     for [row, column] in [[0, 1], [1, 2], [0, 2]] {
@@ -150,13 +150,13 @@ pub(super) fn check_symmetry(matrix: &Matrix3<f64>) -> Result<(), InvalidInertia
     Ok(())
 }
 
-/// All conditions on a symmetric matrix.
+/// Checks all conditions on a symmetric matrix.
 pub(super) fn check(matrix: &Matrix3<f64>) -> Result<(), InvalidInertia> {
     check_computed(matrix, f64::EPSILON).map(|_| ())
 }
 
-/// All conditions on a symmetric matrix of a body that can turn about every axis, with entries that
-/// were computed with this distance from one to the next number.
+/// Checks all conditions on a symmetric matrix of a body that can rotate about every axis, with
+/// entries computed with this relative precision.
 pub(crate) fn check_turning(matrix: &Matrix3<f64>, epsilon: f64) -> Result<(), InvalidInertia> {
     let moments = check_computed(matrix, epsilon)?;
     if moments.x <= slack_of(matrix, epsilon) * moments.z {
@@ -165,7 +165,7 @@ pub(crate) fn check_turning(matrix: &Matrix3<f64>, epsilon: f64) -> Result<(), I
     Ok(())
 }
 
-/// The principal moments over a power of two, ascending, if all conditions hold.
+/// The principal moments divided by a power of two, ascending, if all conditions hold.
 fn check_computed(matrix: &Matrix3<f64>, epsilon: f64) -> Result<Vector3<f64>, InvalidInertia> {
     for (row, entries) in ENTRIES.iter().enumerate() {
         for (column, entry) in entries.iter().enumerate() {

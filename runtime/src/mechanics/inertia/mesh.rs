@@ -1,4 +1,4 @@
-//! Mass, center of mass and inertia of what a closed surface of triangles holds.
+//! Mass, center of mass and inertia of the volume inside a closed triangle mesh.
 
 extern crate std;
 
@@ -11,28 +11,28 @@ use nalgebra::{Matrix3, Vector3};
 use super::matrix::of_second_moments;
 use super::{InertiaTensor, InvalidInertia, MassProperties, invalid};
 
-/// Why a surface holds no body.
+/// Why a surface encloses no body.
 #[derive(Debug)]
 pub enum InvalidMesh {
-    /// The file cannot be read, or is no STL.
+    /// The file cannot be read, or is not an STL file.
     Unreadable(std::io::Error),
-    /// There are no triangles, or they hold no volume.
+    /// There are no triangles, or they enclose no volume.
     Empty,
-    /// A coordinate, the density or the scale is not finite, or not positive where it has to be.
+    /// A coordinate, the density or the scale is not finite, or not positive where required.
     NotFinite,
-    /// A triangle has a vertex that is not there.
+    /// A triangle refers to a vertex that does not exist.
     NoVertex {
-        /// Its number.
+        /// The index of the vertex.
         vertex: usize,
     },
-    /// An edge between these places has no second triangle, or one that runs the same way.
+    /// An edge between these points has no second triangle, or one of the same orientation.
     Open {
-        /// The ends of the edge, as they are in the mesh.
+        /// The ends of the edge, in mesh coordinates.
         edge: [Vector3<f64>; 2],
     },
     /// All triangles run clockwise, seen from outside.
     InsideOut,
-    /// What is held is no body.
+    /// The volume is not a possible body.
     Inertia(InvalidInertia),
 }
 
@@ -56,18 +56,19 @@ impl fmt::Display for InvalidMesh {
 
 impl core::error::Error for InvalidMesh {}
 
-/// How small a volume is nothing but rounding, over the cube of the size.
+/// A volume below this fraction of the cube of the size is rounding.
 const NOTHING: f64 = 1e-13;
 
 impl MassProperties {
-    /// Of an STL file, text or binary, whose triangles run counterclockwise seen from outside; scale
-    /// is metres per unit of the file, such as 1e-3, and density kg/m^3. Results are in the axes of the
-    /// file, the center from its origin.
+    /// From an STL file, text or binary, whose triangles are counterclockwise seen from outside.
+    /// Scale is metres per unit of the file, such as 1e-3, and density is in kg/m^3. Results are in
+    /// the axes of the file, the center from its origin.
     ///
-    /// Vertices that are in one place, to the bit, are one.
+    /// Vertices at identical positions, to the bit, are merged.
     ///
     /// # Errors
-    /// [`InvalidMesh`], if the surface is open, inside out, empty or not finite, or the file no STL.
+    /// [`InvalidMesh`], if the surface is open, inside out, empty or not finite, or the file is not
+    /// an STL file.
     pub fn from_stl(
         source: &mut (impl Read + Seek),
         scale: f64,
@@ -85,12 +86,12 @@ impl MassProperties {
         Self::from_triangles(&vertices, &triangles, density)
     }
 
-    /// Of a closed surface: vertices \[m\] in body axes from any origin, triangles by the numbers of
-    /// their vertices, counterclockwise seen from outside; density in kg/m^3.
+    /// From a closed surface: vertices \[m\] in body axes from any origin, triangles by the indices
+    /// of their vertices, counterclockwise seen from outside; density in kg/m^3.
     ///
-    /// Integrals over the tetrahedra between the triangles and a vertex, and again from the center of
-    /// mass found (D. Eberly, Polyhedral Mass Properties (Revisited), has the same by the divergence
-    /// theorem).
+    /// Integrates over the tetrahedra between the triangles and a vertex, and again from the
+    /// resulting center of mass (D. Eberly, Polyhedral Mass Properties (Revisited), does the same
+    /// by the divergence theorem).
     ///
     /// # Errors
     /// [`InvalidMesh`], if the surface is open, inside out, empty or not finite.
@@ -154,7 +155,7 @@ impl MassProperties {
     }
 }
 
-/// Every edge is run along as often one way as the other.
+/// Checks that every edge occurs equally often in both directions.
 fn check_closed(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Result<(), InvalidMesh> {
     let mut edges: BTreeMap<[usize; 2], isize> = BTreeMap::new();
     for corners in triangles {

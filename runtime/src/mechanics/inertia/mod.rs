@@ -48,9 +48,9 @@ pub struct InertiaTensor {
 }
 
 impl InertiaTensor {
-    /// What rounding may add to a principal moment, relative to the largest: four units in the last
-    /// place. Four times as much if there are products, since entries in turned axes have more
-    /// rounding behind them.
+    /// The possible rounding of a principal moment, relative to the largest: four units in the last
+    /// place. Four times as much if there are products, since entries in rotated axes carry more
+    /// rounding.
     pub const SLACK: f64 = invalid::SLACK;
 
     /// Principal moments along the body axes.
@@ -113,7 +113,7 @@ impl InertiaTensor {
         Self::tensor(xx, yy, zz, -xy, -yz, -zx)
     }
 
-    /// The entries xx, yy, zz, xy, yz, zx of a tensor that was checked where they were computed.
+    /// The entries xx, yy, zz, xy, yz, zx of a tensor that was already checked.
     pub(crate) fn checked([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> Self {
         Self {
             matrix: Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz),
@@ -169,18 +169,18 @@ impl InertiaTensor {
         self.off_diagonals().map(|entry| -entry)
     }
 
-    /// Jω: of an angular velocity, the angular momentum \[kg m²/s\].
+    /// Jω: the angular momentum of an angular velocity \[kg m²/s\].
     #[inline]
     #[must_use]
     pub fn times(&self, vector: &Vector3<f64>) -> Vector3<f64> {
         self.matrix * vector
     }
 
-    /// From the center of mass to the point at `offset` from it (body axes, m), by the
-    /// parallel-axis theorem: `J_P = J_G + m (d² 1 - d dᵀ)`, mass in kg.
+    /// Moves the tensor from the center of mass to the point at `offset` from it (body axes, m), by
+    /// the parallel-axis theorem: `J_P = J_G + m (d² 1 - d dᵀ)`, mass in kg.
     ///
     /// # Errors
-    /// The mass negative or not finite, the offset not finite.
+    /// The mass is negative or not finite, or the offset is not finite.
     ///
     /// ```
     /// # use newton_euler::inertia::InertiaTensor;
@@ -201,14 +201,15 @@ impl InertiaTensor {
         Ok(Self { matrix })
     }
 
-    /// From a point to the center of mass at `offset` from it (body axes, m):
+    /// Moves the tensor from a point to the center of mass at `offset` from it (body axes, m):
     /// `J_G = J_P - m (d² 1 - d dᵀ)`.
     ///
-    /// This subtracts: of `J_G`, the digits are lost by which `m d²` exceeds it. Where there is a
+    /// This subtracts, so `J_G` loses the digits by which `m d²` exceeds it. If you have the
     /// choice, build about G.
     ///
     /// # Errors
-    /// The mass negative or not finite, or no body about G has the difference as its tensor.
+    /// The mass is negative or not finite, or no body can have the difference as its tensor about
+    /// G.
     ///
     /// ```
     /// # use newton_euler::inertia::InertiaTensor;
@@ -233,10 +234,11 @@ impl InertiaTensor {
         Ok(Self { matrix })
     }
 
-    /// In other axes, `R J Rᵀ`, where the rotation takes components along the present axes to
-    /// components along the others: an attitude gives the tensor in world axes.
+    /// The tensor in other axes, `R J Rᵀ`, where the rotation takes components along the present
+    /// axes to components along the others: an attitude gives the tensor in world axes.
     ///
-    /// Only the part that depends on the axes is turned, so spherical bodies stay exactly so.
+    /// Only the part that depends on the axes is rotated, so spherical bodies stay exactly
+    /// spherical.
     ///
     /// ```
     /// # use newton_euler::inertia::InertiaTensor;
@@ -278,7 +280,7 @@ impl InertiaTensor {
     /// The inverse \[1/(kg m²)\], at any scale of the moments.
     ///
     /// # Errors
-    /// [`InvalidInertia::Singular`] if about some axis there is no moment of inertia, to within
+    /// [`InvalidInertia::Singular`] if the moment of inertia about some axis is zero, to within
     /// [`Self::SLACK`]: a rod or a point.
     ///
     /// ```

@@ -5,12 +5,12 @@ use nalgebra::{Matrix3, Vector3};
 use super::matrix::of_second_moments;
 use super::{InertiaTensor, InvalidInertia, invalid};
 
-/// What balances need of a body's distribution of mass.
+/// The mass properties of a body, as the balances need them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassProperties {
     /// The mass \[kg\].
     pub mass: f64,
-    /// The center of mass G, from the origin of the coordinates given \[m\].
+    /// The center of mass G, from the origin of the given coordinates \[m\].
     pub center: Vector3<f64>,
     /// The tensor about G.
     pub inertia: InertiaTensor,
@@ -20,7 +20,7 @@ impl InertiaTensor {
     /// Mass, center of mass and tensor about it, of mass points \[kg, m\] in body axes from any
     /// origin.
     ///
-    /// Distances are taken from the first point, then from the center of mass found, so that a
+    /// Distances are taken first from the first point, then from the resulting center of mass, so a
     /// small body far from the origin keeps its digits.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! What kind of body has a tensor: how symmetric it is, and in how many dimensions it extends.
+//! The class of a tensor: its symmetry, and the number of dimensions in which the body extends.
 
 use nalgebra::{UnitVector3, Vector3};
 
@@ -6,14 +6,14 @@ use super::matrix::{exponent, scaled};
 use super::{InertiaTensor, invalid};
 use crate::mechanics::principal::diagonalized;
 
-/// How many principal moments are equal: what free motion depends on. Axes are in the axes of the
-/// tensor, the largest component positive.
+/// The number of equal principal moments, on which free motion depends. Axes are in the axes of the
+/// tensor, with the largest component positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Symmetry {
-    /// All three: no gyroscopic moment in any motion. Cubes, too.
+    /// All three: no gyroscopic moment in any motion. Cubes are included.
     Spherical,
-    /// Two, perpendicular to this axis: the body precesses steadily if left alone. Square prisms,
-    /// too.
+    /// Two, perpendicular to this axis: the body precesses steadily if left alone. Square prisms
+    /// are included.
     Symmetric {
         /// The axis of the other moment.
         axis: UnitVector3<f64>,
@@ -22,9 +22,9 @@ pub enum Symmetry {
     General,
 }
 
-/// In how many dimensions a body extends: how many of its second moments
-/// `½ tr(J) 1 - J = ∫ r rᵀ dm` vanish. Axes are in the axes of the tensor, the largest component
-/// positive.
+/// The number of dimensions in which a body extends, from the number of its second moments
+/// `½ tr(J) 1 - J = ∫ r rᵀ dm` that vanish. Axes are in the axes of the tensor, with the largest
+/// component positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Extent {
     /// All mass in one point: J = 0.
@@ -47,8 +47,8 @@ impl InertiaTensor {
     /// How many principal moments are equal, to [`Self::SLACK`] (four times that if there are
     /// products) of the largest.
     ///
-    /// A disc is both [`Symmetry::Symmetric`] and [`Extent::Planar`], so the two are asked
-    /// separately.
+    /// A disc is both [`Symmetry::Symmetric`] and [`Extent::Planar`], so the two are separate
+    /// methods.
     ///
     /// ```
     /// # use newton_euler::inertia::{InertiaTensor, Symmetry};
@@ -80,7 +80,7 @@ impl InertiaTensor {
         if equal(least, largest) {
             return Symmetry::Spherical;
         }
-        // where both pairs are equal, the closer one is meant
+        // if both pairs are equal, the closer one counts
         match [equal(least, middle), equal(middle, largest)] {
             [false, false] => Symmetry::General,
             [true, other] if !other || middle - least <= largest - middle => Symmetry::Symmetric {
@@ -92,8 +92,8 @@ impl InertiaTensor {
         }
     }
 
-    /// In how many dimensions the body extends, moments being zero up to [`Self::SLACK`] (four
-    /// times that if there are products) of the largest.
+    /// The number of dimensions in which the body extends, with moments zero up to [`Self::SLACK`]
+    /// (four times that if there are products) of the largest.
     ///
     /// ```
     /// # use newton_euler::inertia::{Extent, InertiaTensor};
@@ -113,8 +113,8 @@ impl InertiaTensor {
         self.extent_within(invalid::slack(&self.matrix))
     }
 
-    /// In how many dimensions the body extends, moments being zero up to this fraction of the
-    /// largest.
+    /// The number of dimensions in which the body extends, with moments zero up to this fraction of
+    /// the largest.
     ///
     /// ```
     /// # use newton_euler::inertia::{Extent, InertiaTensor};
@@ -150,7 +150,7 @@ struct Principal {
 }
 
 impl Principal {
-    /// Of a diagonal tensor, the coordinate axes themselves.
+    /// The coordinate axes themselves for a diagonal tensor.
     fn of(inertia: &InertiaTensor) -> Self {
         let j = scaled(&inertia.matrix, -exponent(&inertia.matrix));
         let [x, y, z] = [Vector3::x_axis(), Vector3::y_axis(), Vector3::z_axis()];

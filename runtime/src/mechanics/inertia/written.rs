@@ -1,4 +1,4 @@
-//! How a tensor is serialised: under the word that says its convention,
+//! The serialized form of a tensor: under the word of its convention,
 //! `{ "tensor": { "xx": .. } }`.
 
 use serde::de::Error as _;

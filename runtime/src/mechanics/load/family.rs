@@ -7,12 +7,12 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(Serialize))]
 pub enum Family {
-    /// Of constraints: `R_v`, `M_v`.
+    /// From constraints: `R_v`, `M_v`.
     Reaction,
     /// Passed by joints: `F_s`, `M_s`.
     Joint,
     /// From outside: `F_ext`, `M_ext`.
     External,
-    /// Standing for fields: `F_f`, `M_f`.
+    /// From fields: `F_f`, `M_f`.
     Field,
 }

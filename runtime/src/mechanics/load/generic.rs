@@ -17,7 +17,7 @@ pub struct Load<T: Scalar> {
     pub family: Family,
     /// The force, world axes \[N\].
     pub force: Vector3<T>,
-    /// Where it acts: world position, or from G in world axes if G's motion is not modelled
+    /// The point of action: world position, or from G in world axes if G's motion is not modelled
     /// (`rotation`) \[m\].
     pub point: Vector3<T>,
     /// The couple, world axes, without the moment of the force \[N m\].
@@ -34,7 +34,7 @@ pub struct PlanarLoad<T: Scalar> {
     pub family: Family,
     /// The force, world axes \[N\].
     pub force: Vector2<T>,
-    /// Where it acts, world position \[m\].
+    /// The point of action, world position \[m\].
     pub point: Vector2<T>,
     /// The couple, positive anticlockwise, without the moment of the force \[N m\].
     pub moment: T,

@@ -1,9 +1,9 @@
 //! Wrenches: the resultant force of a system of loads together with its moment about a pole.
 //!
-//! A wrench does not carry its pole, and only wrenches about the same pole may be added. Another
-//! pole takes another moment, by (34.5) `K = K' + a × F`, where the pole of K' lies at a from the
-//! pole of K. What a wrench comes down to (nothing, a couple, a single force, a screw) is its
-//! [`Reduction`].
+//! A wrench does not store its pole, and only wrenches about the same pole may be added. The moment
+//! about another pole is (34.5) `K = K' + a × F`, where the pole of K' lies at a from the
+//! pole of K. [`Reduction`] gives the simplest equivalent of a wrench (nothing, a couple, a single
+//! force, a screw).
 
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Neg, Sub};
@@ -89,8 +89,8 @@ impl Wrench {
     }
 
     /// The power `F·v + K·ω` \[W\] on a rigid body, with v the velocity of its point at the pole
-    /// \[m/s\] and ω its angular velocity \[rad/s\], all in the axes of the wrench. It is the same
-    /// about every pole.
+    /// \[m/s\] and ω its angular velocity \[rad/s\], all in the axes of the wrench. It does not
+    /// depend on the pole.
     #[inline]
     #[must_use]
     pub fn power(&self, velocity: &Vector3<f64>, angular_velocity: &Vector3<f64>) -> f64 {
@@ -162,7 +162,7 @@ impl PlanarWrench {
     }
 
     /// The power `F·v + K ω` \[W\] on a rigid body, with v the velocity of its point at the pole
-    /// \[m/s\] and ω its angular velocity \[rad/s\]. It is the same about every pole.
+    /// \[m/s\] and ω its angular velocity \[rad/s\]. It does not depend on the pole.
     #[inline]
     #[must_use]
     pub fn power(&self, velocity: &Vector2<f64>, angular_velocity: f64) -> f64 {

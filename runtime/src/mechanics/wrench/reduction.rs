@@ -1,13 +1,13 @@
-//! What a system of forces comes down to: nothing, a couple, a single force, or a screw.
+//! The simplest equivalent of a system of forces: nothing, a couple, a single force, or a screw.
 //!
-//! The pole can be moved to any point a of a line (34.7) so that what is left of the moment is
+//! The pole can be moved to any point a of a line (34.7) so that the remaining moment is
 //! parallel to the force,
 //!
 //! ```text
 //! K = a × F + p F        a = F × K / F² + λ F        p = F·K / F²
 //! ```
 //!
-//! with the *pitch* p \[m\]. If F is perpendicular to K, nothing is left: the system is a single
+//! with the *pitch* p \[m\]. If F is perpendicular to K, no moment remains: the system is a single
 //! force on that line.
 
 use nalgebra::{Unit, Vector2, Vector3};
@@ -45,7 +45,7 @@ pub enum Reduction {
     Force {
         /// F \[N\].
         force: Vector3<f64>,
-        /// Where it acts, along F.
+        /// Its line of action, along F.
         line: Line,
     },
     /// A force on a line and a couple along it.
@@ -59,23 +59,23 @@ pub enum Reduction {
     },
 }
 
-/// What counts as zero in [`Wrench::reduce_within`].
+/// The thresholds of zero in [`Wrench::reduce_within`].
 ///
-/// Whether a force can be left out against a moment, or the reverse, is a question of the length in
-/// play, which a wrench does not know: [`Tolerance::at_scale`] asks for it.
+/// Whether a force is negligible compared with a moment, or the reverse, depends on the length
+/// scale, which a wrench does not know: [`Tolerance::at_scale`] takes it as an argument.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// A resultant not above this is none \[N\].
+    /// A resultant up to this counts as zero \[N\].
     pub force: f64,
-    /// A moment not above this is none; along the force, where it is the same about every pole \[N
-    /// m\].
+    /// A moment up to this counts as zero; along the force, where it does not depend on the pole
+    /// \[N m\].
     pub moment: f64,
-    /// F and K are perpendicular if |F·K| is not above this times |F||K|.
+    /// F and K are perpendicular if |F·K| is at most this times |F||K|.
     pub perpendicular: f64,
 }
 
 impl Tolerance {
-    /// Nothing but zero is zero, and F·K up to eight units in the last place of |F||K|.
+    /// Only zero is zero, and F·K up to eight units in the last place of |F||K|.
     ///
     /// A moment computed as arm × force, with the arm perpendicular to the force, leaves up to
     /// three of them: 2√2 roundings of half a unit in the cross product, three in the scalar
@@ -86,11 +86,11 @@ impl Tolerance {
         perpendicular: 8.0 * f64::EPSILON,
     };
 
-    /// For sums of loads of about this force \[N\] at about this distance \[m\] from the pole: what
-    /// is below sixteen units in the last place of them is rounding.
+    /// For sums of loads of about this force \[N\] at about this distance \[m\] from the pole:
+    /// anything below sixteen units in the last place of them is rounding.
     ///
-    /// Each load brings half a unit to the resultant and two to the moment, so this serves for
-    /// about eight loads.
+    /// Each load contributes half a unit to the resultant and two to the moment, so this suffices
+    /// for about eight loads.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -120,13 +120,13 @@ impl Tolerance {
 }
 
 impl Wrench {
-    /// What this comes down to, with [`Tolerance::EXACT`].
+    /// The simplest equivalent, with [`Tolerance::EXACT`].
     ///
-    /// Right at every size of force and moment: a wrench times a power of two gives the same line
-    /// and pitch to the bit. A line or pitch beyond the largest double (1e-200 N with 1e200 N m)
-    /// makes a couple. Of a wrench that is not finite the result is not either.
+    /// Accurate at every size of force and moment: a wrench times a power of two gives the same
+    /// line and pitch to the bit. A line or pitch beyond the largest double (1e-200 N with 1e200 N
+    /// m) gives a couple. The result of a non-finite wrench is not finite either.
     ///
-    /// A moment has the rounding of the loads it was summed from, which may be larger than it and
+    /// A moment has the rounding of the loads in its sum, which may be larger than the moment and
     /// is not known here: a single force far along its line from the pole may come out as a screw
     /// of tiny pitch. Then use [`Wrench::reduce_within`].
     ///
@@ -144,14 +144,14 @@ impl Wrench {
         self.reduce_within(&Tolerance::EXACT)
     }
 
-    /// What this comes down to if what is within a tolerance is zero.
+    /// The simplest equivalent, with values within a tolerance taken as zero.
     ///
-    /// What is left out: of a couple or of nothing, the force and the moment within tolerance; of a
+    /// These are dropped: for a couple or nothing, the force and the moment within tolerance; for a
     /// single force, the moment along it.
     #[must_use]
     pub fn reduce_within(&self, tolerance: &Tolerance) -> Reduction {
         let Self { force, moment } = *self;
-        // F and K over powers of two, of order one
+        // F and K divided by powers of two, of order one
         let [of_force, of_moment] = [force, moment].map(|v| scale::exponent(v.amax()));
         let [f, k] = [
             scale::scaled(&force, -of_force),
@@ -192,8 +192,8 @@ impl Wrench {
 }
 
 impl Reduction {
-    /// Force and moment about the pole that was reduced from: K = a × F + p F, without what a
-    /// tolerance left out.
+    /// Force and moment about the pole of the original wrench: K = a × F + p F, without the parts
+    /// dropped by a tolerance.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -216,8 +216,8 @@ impl Reduction {
     }
 }
 
-/// The simplest system of loads in the plane: there a force is always perpendicular to a moment,
-/// and nothing is a screw.
+/// The simplest equivalent of a system of loads in the plane: there a force is always perpendicular
+/// to a moment, so there is no screw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize))]
 pub enum PlanarReduction {
@@ -239,7 +239,8 @@ pub enum PlanarReduction {
 }
 
 impl PlanarWrench {
-    /// What this comes down to, with [`Tolerance::EXACT`]; sizes as for [`Wrench::reduce`].
+    /// The simplest equivalent, with [`Tolerance::EXACT`]; accurate at every size, like
+    /// [`Wrench::reduce`].
     ///
     /// ```
     /// use nalgebra::Vector2;
@@ -254,7 +255,8 @@ impl PlanarWrench {
         self.reduce_within(&Tolerance::EXACT)
     }
 
-    /// What this comes down to if a force, or a moment left without one, within tolerance is zero.
+    /// The simplest equivalent, with a force, or a moment without force, within tolerance taken as
+    /// zero.
     #[must_use]
     pub fn reduce_within(&self, tolerance: &Tolerance) -> PlanarReduction {
         let Self { force, moment } = *self;

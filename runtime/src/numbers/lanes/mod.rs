@@ -1,4 +1,4 @@
-//! Several doubles in one register, of the width that the processor has.
+//! Several doubles in one register, of the width of the processor.
 //!
 //! Operations are those of `f64` in each lane, without fused ones. Sines and cosines are computed in
 //! all lanes at once, other elementary functions lane by lane: each number is what it would be
@@ -23,12 +23,12 @@ pub use width::Width;
 
 /// As many doubles as a register holds, as one [`Scalar`].
 ///
-/// The default can only be made where the processor has the register.
+/// The default can only be created if the processor has the register.
 #[derive(Clone, Copy)]
 pub struct Lanes<S: Register> {
     simd: S,
     numbers: S::f64s,
-    /// Nothing, in the place that is best for a register.
+    /// Empty, but aligned for a register.
     _place: [S::Aligned; 0],
 }
 
@@ -109,7 +109,7 @@ impl<S: Register> Default for Lanes<S> {
     }
 }
 
-/// An operator and its form that assigns.
+/// An operator and its assigning form.
 macro_rules! operators {
     ($($operator:ident $method:ident $assign:ident $method_assign:ident $function:ident;)*) => {$(
         impl<S: Register> $operator for Lanes<S> {
@@ -146,7 +146,7 @@ impl<S: Register> Neg for Lanes<S> {
     }
 }
 
-/// What comparisons of [`Lanes`] give: true or false in each lane.
+/// The result of comparisons of [`Lanes`]: true or false in each lane.
 #[derive(Clone, Copy)]
 pub struct Mask<S: Register> {
     simd: S,
@@ -203,7 +203,7 @@ macro_rules! by_lane {
     )*};
 }
 
-/// The same of two numbers.
+/// The same for two numbers.
 macro_rules! by_pair {
     ($($name:ident)*) => {$(
         #[inline(always)]

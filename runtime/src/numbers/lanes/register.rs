@@ -1,10 +1,10 @@
-//! Registers of doubles, and work that is compiled for one of them.
+//! Registers of doubles, and work compiled for one of them.
 
 use pulp::{Simd, WithSimd};
 
-/// A kind of register, which a value of this type proves to be there.
+/// A kind of register; a value of the type proves that the processor has it.
 pub trait Register: Simd {
-    /// What lies in memory as a register should: one across two lines of the cache is read twice.
+    /// Aligned memory for a register: data across two cache lines is read twice.
     type Aligned: Copy + Send + Sync + 'static;
 
     /// The proof, if the processor has it.
@@ -45,22 +45,22 @@ mod x86 {
     registers! { V2 __m128d V3 __m256d V4 __m512d }
 }
 
-/// Work that is done in lanes. Its function, and all that it calls, is to be inlined, so that it is
+/// Work in lanes. Its function, and everything that it calls, must be inlined, so that it is
 /// compiled for the register.
 pub trait Work {
-    /// What comes out.
+    /// The result.
     type Output;
 
-    /// Does it.
+    /// Runs the work.
     fn run<S: Register>(self, simd: S) -> Self::Output;
 }
 
-/// Does some work in a register, in a function of its own that is compiled for it.
+/// Runs some work in a register, in a separate function that is compiled for it.
 pub(super) fn run_in<S: Register, W: Work>(simd: S, work: W) -> W::Output {
     simd.vectorize(Compiled(simd, work))
 }
 
-/// Does a part of such work in a function of its own, for the same register.
+/// Runs a part of such work in a separate function, for the same register.
 #[inline(always)]
 pub(crate) fn by_itself<S: Register, R>(simd: S, part: impl FnOnce() -> R) -> R {
     simd.vectorize(Part(part))

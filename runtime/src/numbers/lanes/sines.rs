@@ -1,11 +1,11 @@
 //! Sine and cosine of all lanes at once, with the bits of libm.
 //!
 //! The steps are those of libm, after fdlibm (`e_rem_pio2.c`, `k_sin.c`, `k_cos.c`): n quarter
-//! turns are subtracted in parts, two polynomials give sine and cosine of the rest, n mod 4 swaps
-//! and negates them. Three kinds of lanes are not settled by that, and are left to libm: where the
-//! rest is close to π/4, n follows from the high word of the angle there and from rounding here;
-//! where the rest is less than 2⁻⁴⁹ of the angle, libm subtracts a third part of π/2; beyond 10⁶,
-//! and where an angle is no number, the subtraction is another.
+//! turns are subtracted in parts, two polynomials give sine and cosine of the remainder, and n mod
+//! 4 swaps and negates them. Three kinds of lanes are left to libm. Near a remainder of π/4, libm
+//! takes n from the high word of the angle, and this code takes it from rounding. If the remainder
+//! is less than 2⁻⁴⁹ of the angle, libm subtracts a third part of π/2. Beyond 10⁶, and for NaN,
+//! libm subtracts differently.
 //!
 //! > Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Developed at SunPro, a Sun
 //! > Microsystems, Inc. business. Permission to use, copy, modify, and distribute this software is
@@ -17,18 +17,18 @@ use super::{Lanes, Mask, Register};
 use crate::numbers::math;
 use crate::numbers::scalar::Scalar;
 
-/// The first 33 bits of π/2, and what is left of it.
+/// The first 33 bits of π/2, and the remainder.
 const FIRST: [f64; 2] = [1.570_796_326_734_125_6, 6.077_100_506_506_192e-11];
-/// The second 33 bits of π/2, and what is left of it.
+/// The second 33 bits of π/2, and the remainder.
 const SECOND: [f64; 2] = [6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
-/// 3 2⁵¹: added to a number, it rounds this to an integer, which the last bits then hold.
+/// 3 2⁵¹: adding it to a number rounds the number to an integer, which the last bits then hold.
 const ROUND: f64 = 6_755_399_441_055_744.0;
-/// Just below π/4: the high word of an angle tells n up to 6e-6 from there.
+/// Just below π/4: up to 6e-6 from there, the high word of an angle gives n.
 const SURE: f64 = 0.785_38;
 /// The largest angle.
 const LARGEST: f64 = 1e6;
 
-/// Of (sin x - x) / x³, in powers of x².
+/// The coefficients of (sin x - x) / x³, in powers of x².
 const SINE: [f64; 6] = [
     -0.166_666_666_666_666_32,
     0.008_333_333_333_322_49,
@@ -37,7 +37,7 @@ const SINE: [f64; 6] = [
     -2.505_076_025_340_686_3e-8,
     1.589_690_995_211_55e-10,
 ];
-/// Of (cos x - 1 + x²/2) / x⁴, in powers of x².
+/// The coefficients of (cos x - 1 + x²/2) / x⁴, in powers of x².
 const COSINE: [f64; 6] = [
     0.041_666_666_666_666_6,
     -0.001_388_888_888_887_411,
@@ -70,7 +70,7 @@ pub(super) fn sin_cos<S: Register>(angle: Lanes<S>) -> (Lanes<S>, Lanes<S>) {
     (sines, cosines)
 }
 
-/// Sines and cosines of the angles that are not zero.
+/// Sines and cosines of the nonzero angles.
 #[cold]
 #[inline(never)]
 fn one_by_one(angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
@@ -81,7 +81,7 @@ fn one_by_one(angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
     }
 }
 
-/// Sine and cosine, and in which lanes they are those of libm.
+/// Sine and cosine, and the lanes in which they are those of libm.
 #[inline(always)]
 fn side_by_side<S: Register>(angle: Lanes<S>) -> ((Lanes<S>, Lanes<S>), Mask<S>) {
     let simd = angle.simd;
@@ -100,7 +100,7 @@ fn number<S: Register>(simd: S, number: f64) -> Lanes<S> {
     Lanes::splat(simd, number)
 }
 
-/// The angle less n quarter turns, in two parts, and where these are settled.
+/// The angle minus n quarter turns, in two parts, and the lanes in which these are settled.
 ///
 /// A second part of π/2 is subtracted where the exponent falls by more than 16.
 #[inline(always)]
@@ -122,7 +122,8 @@ fn subtracted<S: Register>(angle: Lanes<S>, turns: Lanes<S>) -> (Lanes<S>, Lanes
     (rest, (near - rest) - correction, settled)
 }
 
-/// Whether the exponent of the rest is at most so much below that of the angle: a power of two.
+/// Whether the exponent of the remainder is at most this much below that of the angle: a power of
+/// two.
 #[inline(always)]
 fn has_kept<S: Register>(angle: Lanes<S>, rest: Lanes<S>, most: f64) -> Mask<S> {
     power(angle).less_or_equal(number(angle.simd, most) * power(rest))
@@ -137,7 +138,7 @@ fn power<S: Register>(of: Lanes<S>) -> Lanes<S> {
     Lanes::new(of.simd, of.simd.transmute_f64s_u64s(power))
 }
 
-/// Sine and cosine of what is left of an angle.
+/// Sine and cosine of the remainder of an angle.
 #[inline(always)]
 fn of_rest<S: Register>(
     angle: Lanes<S>,
@@ -187,7 +188,7 @@ fn of_rest<S: Register>(
     )
 }
 
-/// The same after n quarter turns, which the last bits of a number hold.
+/// The same after n quarter turns, with n in the last bits of a number.
 #[inline(always)]
 fn turned<S: Register>(
     (sine, cosine): (Lanes<S>, Lanes<S>),

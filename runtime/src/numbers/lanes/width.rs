@@ -1,4 +1,4 @@
-//! How wide registers are, and which the processor has.
+//! The width of registers, and its detection.
 
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use pulp::x86::{V2, V3, V4};
@@ -34,14 +34,14 @@ impl Width {
     /// From the narrowest to the widest.
     pub const ALL: [Self; 4] = [Self::One, Self::Two, Self::Four, Self::Eight];
 
-    /// The widest that the processor has.
+    /// The widest of the processor.
     #[must_use]
     pub fn widest() -> Self {
         let mut widths = Self::ALL.into_iter().rev();
         widths.find(|width| width.is_there()).unwrap_or(Self::One)
     }
 
-    /// Whether the processor has it.
+    /// Whether the processor has this width.
     #[must_use]
     pub fn is_there(self) -> bool {
         self.run(Count) == self.lanes()
@@ -58,7 +58,7 @@ impl Width {
         }
     }
 
-    /// Does some work in registers of this width; without lanes where the processor has none such.
+    /// Runs some work in registers of this width; scalar if the processor lacks them.
     pub fn run<W: Work>(self, work: W) -> W::Output {
         match self {
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]

@@ -6,9 +6,9 @@ use super::Scalar;
 
 /// A number and its derivatives with respect to N variables: exact to rounding, no differences.
 ///
-/// `value + Σ derivatives[i] ε_i` with `ε_i ε_j = 0`. Derivatives of derivatives are those of
-/// `Dual<Dual<f64, N>, N>`. Where a function has a corner, the derivative is that of the branch
-/// that its value is on; comparisons are of the values.
+/// `value + Σ derivatives[i] ε_i` with `ε_i ε_j = 0`. For second derivatives use
+/// `Dual<Dual<f64, N>, N>`. At a kink of a function, the derivative is that of the branch
+/// of the value; comparisons use the values.
 ///
 /// ```
 /// use newton_euler::{Dual, Scalar, rigid_body, prelude::*};
@@ -44,7 +44,7 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
     /// The variable with this index, at this value: its derivative with respect to itself is one.
     ///
     /// # Panics
-    /// If there are not so many variables.
+    /// If the index is out of range.
     #[must_use]
     pub fn variable(value: T, index: usize) -> Self {
         let mut variable = Self::from(value);
@@ -52,7 +52,7 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
         variable
     }
 
-    /// A function of this number, by its value and its derivative.
+    /// A function of this number, from its value and its derivative.
     #[inline(always)]
     fn map(self, value: T, slope: T) -> Self {
         Self {
@@ -61,7 +61,7 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
         }
     }
 
-    /// A function of two numbers, by its value and its two derivatives.
+    /// A function of two numbers, from its value and its two derivatives.
     #[inline(always)]
     fn join(self, other: Self, value: T, [first, second]: [T; 2]) -> Self {
         let joined = |i: usize| first * self.derivatives[i] + second * other.derivatives[i];
@@ -71,7 +71,7 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
         }
     }
 
-    /// As [`Self::map`], of a function whose slope may be infinite.
+    /// Like [`Self::map`], for a function whose slope may be infinite.
     #[inline(always)]
     fn map_steep(self, value: T, slope: T) -> Self {
         Self {
@@ -80,7 +80,7 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
         }
     }
 
-    /// As [`Self::join`], of a function whose slopes may be infinite.
+    /// Like [`Self::join`], for a function whose slopes may be infinite.
     #[inline(always)]
     fn join_steep(self, other: Self, value: T, [first, second]: [T; 2]) -> Self {
         let joined =
@@ -171,7 +171,7 @@ impl<T: Scalar, const N: usize> Neg for Dual<T, N> {
     }
 }
 
-/// The operators that assign.
+/// The assigning operators.
 macro_rules! assign {
     ($($operator:ident $method:ident $symbol:tt;)*) => {$(
         impl<T: Scalar, const N: usize> $operator for Dual<T, N> {
@@ -281,7 +281,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
 
     fn atan2(self, other: Self) -> Self {
         let (y, x) = (self.value, other.value);
-        // over the square of the distance, whose square need not be in range
+        // divided by the square of the distance, whose square may be out of range
         let distance = y.hypot(x);
         let slopes = [x / distance / distance, -(y / distance / distance)];
         self.join_steep(other, y.atan2(x), slopes)
@@ -310,7 +310,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         self.map_steep(self.value.ln(), self.one() / self.value)
     }
 
-    /// The derivative by an exponent is left out where it is constant, so that bases may be
+    /// The derivative by a constant exponent is omitted, so that bases may be
     /// negative.
     fn powf(self, exponent: Self) -> Self {
         let (x, y) = (self.value, exponent.value);

@@ -3,7 +3,7 @@
 use super::Scalar;
 use crate::numbers::math;
 
-/// `Scalar` of a primitive type: which of the two constants it takes, its sine and cosine, and all
+/// `Scalar` for a primitive type: which of the two constants it takes, its sine and cosine, and all
 /// other functions.
 macro_rules! primitive {
     ($float:ident, $constant:expr, $sin_cos:path, {

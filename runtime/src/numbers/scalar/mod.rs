@@ -1,4 +1,4 @@
-//! The numbers that a body can be computed with.
+//! The number types of a body.
 //!
 //! A body is written for `f64` unless its description names another scalar:
 //! `rigid_body!(Craft::<T> { .. })` is generic over [`Scalar`], and is `Craft<f64>`, `Craft<f32>`,
@@ -15,7 +15,7 @@ mod float;
 
 pub use dual::Dual;
 
-/// A real number, or several that are computed with at once.
+/// A real number, or several that are computed at once.
 ///
 /// The default is zero. Elementary functions have the names and meanings of std's methods on `f64`.
 ///
@@ -48,7 +48,7 @@ pub trait Scalar:
     + MulAssign
     + DivAssign
 {
-    /// What a comparison gives: `bool`, or one for each number.
+    /// The result of a comparison: `bool`, or one for each number.
     type Truth: Copy
         + BitAnd<Output = Self::Truth>
         + BitOr<Output = Self::Truth>
@@ -57,12 +57,12 @@ pub trait Scalar:
     /// The distance from one to the next number.
     const EPSILON: f64;
 
-    /// How many numbers this is.
+    /// The count of numbers.
     const LANES: usize;
 
-    /// A constant, made from any value at hand, which is not read: numbers over a register that is
-    /// chosen at run time cannot be made from nothing. The constant is given rounded once to each
-    /// precision.
+    /// A constant. It is made from any value at hand, which is not read, because numbers over a
+    /// register chosen at run time cannot be made from nothing. The constant is given rounded to
+    /// each precision.
     #[must_use]
     fn constant(self, double: f64, single: f32) -> Self;
 
@@ -82,16 +82,16 @@ pub trait Scalar:
     #[must_use]
     fn equal(self, other: Self) -> Self::Truth;
 
-    /// `if truth { first } else { second }`, of values that are both there.
+    /// `if truth { first } else { second }`, with both values computed.
     #[must_use]
     fn select(truth: Self::Truth, first: Self, second: Self) -> Self;
 
-    /// What all of the numbers agree upon, if they do.
+    /// The common truth of all numbers, if they agree.
     #[must_use]
     fn agreed(truth: Self::Truth) -> Option<bool>;
 
-    /// A rate times the slope of a function: nothing where the rate is zero, however steep the
-    /// function is.
+    /// A rate times the slope of a function: zero where the rate is zero, even if the slope is
+    /// infinite.
     #[must_use]
     #[inline(always)]
     fn along(self, slope: Self) -> Self {
@@ -170,8 +170,8 @@ pub trait Scalar:
     fn max(self, other: Self) -> Self;
 }
 
-/// The values of one of two branches; of both, chosen number by number, where the numbers do not
-/// agree.
+/// The values of one of two branches; if the numbers do not agree, both are computed and selected
+/// number by number.
 #[inline(always)]
 pub(crate) fn either<T: Scalar, const N: usize>(
     truth: T::Truth,

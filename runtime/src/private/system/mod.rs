@@ -1,5 +1,5 @@
-//! The state of a system: a struct with the state of each joint; and of a body with states of its
-//! own.
+//! The state of a system: a struct with the state of each joint; also of a body with user-defined
+//! states.
 
 mod parts;
 #[cfg(feature = "serde")]
@@ -11,7 +11,7 @@ pub use parts::{
 #[cfg(feature = "serde")]
 pub use written::{Name, bare, fill, finite, found, ignore, next};
 
-/// Makes the state of a system and its acceleration: two structs with a field for each joint, in
+/// Defines the state of a system and its acceleration: two structs with a field for each joint, in
 /// the order written.
 ///
 /// ```
@@ -40,7 +40,7 @@ pub use written::{Name, bare, fill, finite, found, ignore, next};
 /// assert_eq!(later.elbow.angular_velocity, 0.5);
 /// ```
 ///
-/// A state of one's own is `name: Real => f64`, a scalar with its rate.
+/// A user-defined state is `name: Real => f64`, a scalar with its rate.
 ///
 /// A joint is `name: Kind => Acceleration`: the kind is the name of a state of
 /// [`state::generic`](crate::state::generic), and the type after the arrow is the acceleration of
@@ -58,12 +58,12 @@ pub use written::{Name, bare, fill, finite, found, ignore, next};
 /// }
 /// ```
 ///
-/// Attributes, documentation among them, stand before what they are for: each struct, each field of
-/// the state, and before the arrow those of the field of the acceleration. All is public, both
-/// structs are `Clone, Copy, Debug, Default, PartialEq`, [`Columns`](crate::columns::Columns) and,
-/// with the feature `serde`, serialised as structs with named fields. The state is a
+/// Attributes, including documentation, precede their item: each struct, each field of
+/// the state, and before the arrow those of the field of the acceleration. Everything is public.
+/// Both structs are `Clone, Copy, Debug, Default, PartialEq`, [`Columns`](crate::columns::Columns)
+/// and, with the feature `serde`, serialized as structs with named fields. The state is a
 /// [`State`](crate::state::State) with [`Coordinates`](crate::state::Coordinates), both of them
-/// [`List`](crate::state::List)s: what is before the rates, joint by joint, and then the rates. A
+/// [`List`](crate::state::List)s: first the coordinates, joint by joint, and then their rates. A
 /// displacement has first the velocities of all joints, and then their accelerations.
 #[doc(hidden)]
 #[macro_export]

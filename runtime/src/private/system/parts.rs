@@ -1,24 +1,24 @@
-//! The lists of a system, joint by joint: the first half of all lists comes before the second of
-//! any.
+//! The lists of a system, joint by joint: the first halves of all lists precede the second
+//! halves.
 
 use core::slice;
 
 use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
-/// How many of the coordinates of a state are no rates.
+/// The number of coordinates of a state that are not rates.
 #[must_use]
 pub const fn positions<S: Coordinates>() -> usize {
     sum(S::GROUPS.split_at(S::GROUPS.len() / 2).0)
 }
 
-/// How many of them are rates.
+/// The number of its rates.
 #[must_use]
 pub const fn freedoms<S: Coordinates>() -> usize {
     sum(S::GROUPS.split_at(S::GROUPS.len() / 2).1)
 }
 
-/// How many numbers of a displacement come before those of the rates.
+/// The number of entries of a displacement that precede those of the rates.
 #[must_use]
 pub const fn shifts<S: Coordinates>() -> usize {
     if positions::<S>() == 0 {
@@ -28,7 +28,7 @@ pub const fn shifts<S: Coordinates>() -> usize {
     }
 }
 
-/// How many coordinates a state has.
+/// The number of coordinates of a state.
 #[must_use]
 pub const fn coordinates<S: Coordinates>() -> usize {
     sum(S::GROUPS)
@@ -43,7 +43,7 @@ const fn sum(mut groups: &[usize]) -> usize {
     sum
 }
 
-/// How many groups several states have.
+/// The number of groups of several states.
 #[must_use]
 pub const fn count(mut parts: &[&[usize]]) -> usize {
     let mut count = 0;
@@ -75,8 +75,8 @@ pub const fn groups<const N: usize>(parts: &[&[usize]]) -> [usize; N] {
     groups
 }
 
-/// Where attitude and angular velocity of the only joint are that has axes, from the groups and the
-/// places of each joint.
+/// The places of attitude and angular velocity of the only joint that has axes, from the groups and
+/// the places of each joint.
 #[must_use]
 pub const fn axes(parts: &[(&[usize], Option<[usize; 2]>)]) -> Option<[usize; 2]> {
     let (mut found, mut left) = (None, parts);
@@ -99,7 +99,7 @@ pub const fn axes(parts: &[(&[usize], Option<[usize; 2]>)]) -> Option<[usize; 2]
     }
 }
 
-/// Any number of a state: from it a list begins, which no number can be made for from nothing.
+/// Any number of a state, to start a list from: a number cannot be made from nothing.
 #[inline(always)]
 #[must_use]
 pub fn any<S: Coordinates>(state: &S) -> S::Scalar {
@@ -112,12 +112,12 @@ pub fn any<S: Coordinates>(state: &S) -> S::Scalar {
 pub struct Parts<'a, T> {
     first: slice::Iter<'a, T>,
     second: slice::Iter<'a, T>,
-    /// What there would be behind the end.
+    /// The value beyond the end.
     any: T,
 }
 
 impl<'a, T: Scalar> Parts<'a, T> {
-    /// A list whose first half has so many numbers.
+    /// A list whose first half has this many numbers.
     #[inline(always)]
     #[must_use]
     pub fn of(list: &'a impl AsRef<[T]>, place: usize, any: T) -> Self {
@@ -130,7 +130,7 @@ impl<'a, T: Scalar> Parts<'a, T> {
         }
     }
 
-    /// The part of the next joint, so many numbers of which are of the first half.
+    /// The part of the next joint, with this many numbers in the first half.
     #[inline(always)]
     #[must_use]
     pub fn take<const N: usize>(&mut self, first: usize) -> [T; N] {
@@ -153,7 +153,7 @@ pub struct PartsMut<'a, T> {
 }
 
 impl<'a, T: Scalar> PartsMut<'a, T> {
-    /// A list whose first half has so many numbers.
+    /// A list whose first half has this many numbers.
     #[inline(always)]
     #[must_use]
     pub fn of(list: &'a mut impl AsMut<[T]>, place: usize) -> Self {
@@ -165,7 +165,7 @@ impl<'a, T: Scalar> PartsMut<'a, T> {
         }
     }
 
-    /// The part of the next joint, so many numbers of which are of the first half.
+    /// The part of the next joint, with this many numbers in the first half.
     #[inline(always)]
     pub fn put(&mut self, part: &[T], first: usize) {
         for (k, number) in part.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! States of systems as they are serialised: structs with named fields.
+//! Serialized states of systems: structs with named fields.
 
 use core::fmt;
 
@@ -9,7 +9,7 @@ use serde::de::{
 
 use crate::state::{Coordinates, check};
 
-/// A name without what makes a keyword a name.
+/// A name without the prefix of a raw identifier.
 #[must_use]
 pub const fn bare(name: &'static str) -> &'static str {
     match name.as_bytes() {
@@ -18,10 +18,10 @@ pub const fn bare(name: &'static str) -> &'static str {
     }
 }
 
-/// The next element of a sequence, which is read so far to a place.
+/// The next element of a sequence, of which this many were read.
 ///
 /// # Errors
-/// There is none, or it is refused.
+/// It is missing, or it is refused.
 pub fn next<'de, T: Deserialize<'de>, A: SeqAccess<'de>>(
     elements: &mut A,
     place: &mut usize,
@@ -33,10 +33,10 @@ pub fn next<'de, T: Deserialize<'de>, A: SeqAccess<'de>>(
     Ok(element)
 }
 
-/// The next value of a map as the field of this name, which was not there before.
+/// The next value of a map as the field of this name, which must not occur twice.
 ///
 /// # Errors
-/// It was, or it is refused.
+/// It occurs twice, or it is refused.
 pub fn fill<'de, T: Deserialize<'de>, A: MapAccess<'de>>(
     field: &mut Option<T>,
     name: &'static str,
@@ -49,7 +49,7 @@ pub fn fill<'de, T: Deserialize<'de>, A: MapAccess<'de>>(
     Ok(())
 }
 
-/// Passes over the next value of a map.
+/// Skips the next value of a map.
 ///
 /// # Errors
 /// It cannot be read.
@@ -57,10 +57,10 @@ pub fn ignore<'de, A: MapAccess<'de>>(values: &mut A) -> Result<(), A::Error> {
     values.next_value::<IgnoredAny>().map(|_| ())
 }
 
-/// What was read of a field that has to be there.
+/// The value of a required field.
 ///
 /// # Errors
-/// It is not.
+/// It is missing.
 pub fn found<T, E: Error>(field: Option<T>, name: &'static str) -> Result<T, E> {
     field.ok_or_else(|| Error::missing_field(name))
 }
@@ -68,12 +68,12 @@ pub fn found<T, E: Error>(field: Option<T>, name: &'static str) -> Result<T, E> 
 /// Refuses a state that is not finite.
 ///
 /// # Errors
-/// It is not.
+/// It is not finite.
 pub fn finite<S: Coordinates, E: Error>(state: &S) -> Result<(), E> {
     check(state.coordinates().as_ref()).map_err(E::custom)
 }
 
-/// The name of a field as it is read, if it is one of these.
+/// The name of a field on reading, if it is one of these.
 #[derive(Clone, Copy, Debug)]
 pub struct Name(pub &'static [&'static str]);
 
@@ -107,8 +107,8 @@ impl Visitor<'_> for Name {
     }
 }
 
-/// Serialises a struct that has these fields, and reads it; what a field cannot be is refused by
-/// the field, and what all of it cannot be by a check behind its name, if there is one.
+/// Serializes and reads a struct with these fields. Each field refuses its invalid values; a check
+/// after the name, if there is one, refuses invalid combinations.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __written {

@@ -1,5 +1,5 @@
-//! The heavy symmetric top (Lagrange's): fixed at a point of its axis, its center of mass at l from
-//! there along the axis.
+//! The heavy symmetric top (Lagrange's): fixed at a point of its axis, with its center of mass at
+//! the distance l along the axis.
 //!
 //! It precesses steadily at the angle θ from the vertical and with the component Ω₃ of its angular
 //! velocity along its axis (a constant of every motion) if the rate Ω about the vertical is a root
@@ -9,7 +9,7 @@
 //! I₁ cos θ Ω² - I₃ Ω₃ Ω + m g l = 0
 //! ```
 //!
-//! which is the moment balance about the horizontal axis perpendicular to the top's, divided by sin
+//! the moment balance about the horizontal axis perpendicular to the top's, divided by sin
 //! θ.
 
 use nalgebra::Vector3;
@@ -38,27 +38,27 @@ pub struct HeavyTop {
     torque: f64,
 }
 
-/// The two rates of steady precession of a heavy top at one angle and one Ω₃ \[rad/s\].
+/// The two rates of steady precession of a heavy top for one angle and one Ω₃ \[rad/s\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteadyRates {
-    /// The one of smaller magnitude, of a fast top nearly `m g l/(I₃ Ω₃)`.
+    /// The smaller in magnitude, for a fast top nearly `m g l/(I₃ Ω₃)`.
     pub slow: f64,
-    /// The one of larger magnitude, of a fast top nearly that of the free top, `I₃ Ω₃/(I₁ cos θ)`.
-    /// None where the axis is level, |cos θ| ≤ 2.2e-16, which no angle near π/2 can be told from:
-    /// it goes to infinity there.
+    /// The larger in magnitude, for a fast top nearly that of the free top, `I₃ Ω₃/(I₁ cos θ)`.
+    /// It goes to infinity where the axis is level. None for |cos θ| ≤ 2.2e-16, which cannot be
+    /// distinguished from level.
     pub fast: Option<f64>,
 }
 
 impl HeavyTop {
-    /// How far, relative to (I₃ Ω₃)², the discriminant may be below zero: Ω₃ =
-    /// [`Self::least_axial_rate`] brings four roundings of half a unit in the last place, twice
-    /// each in the square, the terms of the equation four more. Such a top has a double root, good
-    /// to the square root of this, 4e-8.
+    /// The permitted negative value of the discriminant, relative to (I₃ Ω₃)²: Ω₃ =
+    /// [`Self::least_axial_rate`] contributes four roundings of half a unit in the last place,
+    /// twice each in the square, the terms of the equation four more. Such a top has a double root,
+    /// accurate to the square root of this, 4e-8.
     pub const SLACK: f64 = 8.0 * f64::EPSILON;
 
     /// From the moments of inertia about the fixed point and m g l \[N m\], with l from there to
-    /// the center of mass along the third axis: negative for a center below, zero for a top that is
-    /// free.
+    /// the center of mass along the third axis: negative for a center below, zero for a
+    /// free top.
     ///
     /// ```
     /// use newton_euler::top::{HeavyTop, SymmetricTop};
@@ -76,11 +76,11 @@ impl HeavyTop {
     }
 
     /// Both rates of steady precession at the angle θ from the vertical \[rad\], with Ω₃ \[rad/s\];
-    /// for θ = 0 and θ = π, of small cones about the vertical. The larger root is computed first
-    /// and the smaller from their product, so that neither cancels.
+    /// for θ = 0 and θ = π, those of small cones about the vertical. The larger root is computed
+    /// first and the smaller from their product, so that neither cancels.
     ///
-    /// None if the top is too slow: |Ω₃| below [`Self::least_axial_rate`], to [`Self::SLACK`]; and
-    /// for a top that does not spin with its axis level.
+    /// None if the top is too slow (|Ω₃| below [`Self::least_axial_rate`], to [`Self::SLACK`]), and
+    /// for a top without spin and with its axis level.
     #[must_use]
     pub fn steady_rates(&self, tilt: f64, axial_rate: f64) -> Option<SteadyRates> {
         let cosine = math::sin_cos(tilt).1;
@@ -118,10 +118,10 @@ impl HeavyTop {
     }
 
     /// The motion of a top that precesses at this rate, with θ and Ω₃ as in [`Self::steady_rates`],
-    /// about a vertical along world z, against gravity; at time zero it is turned from the world's
+    /// about a vertical along world z, against gravity. At time zero it is rotated from the world's
     /// axes by θ about x.
     ///
-    /// Only rates from there are those of a top left alone.
+    /// Only rates from [`Self::steady_rates`] give the motion of a top left alone.
     ///
     /// ```
     /// use newton_euler::top::{HeavyTop, SymmetricTop};
@@ -156,10 +156,9 @@ impl HeavyTop {
         self.threshold(math::sin_cos(tilt).1)
     }
 
-    /// The |Ω₃| above which the top, upright, sleeps: its axis stays vertical, and returns if
+    /// The |Ω₃| above which the upright top sleeps: its axis stays vertical, and returns if
     /// disturbed: `2 √(I₁ m g l)/I₃` \[rad/s\]. Zero for a center of mass below the fixed point (l
     /// < 0), which needs no spin.
-    ///
     /// ```
     /// use newton_euler::top::{HeavyTop, SymmetricTop};
     ///

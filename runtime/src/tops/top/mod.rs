@@ -1,4 +1,4 @@
-//! Symmetric tops: the free one, and the heavy one that turns about a point of its axis.
+//! Symmetric tops: the free one, and the heavy one that rotates about a point of its axis.
 //!
 //! The body's third axis is that of symmetry, so J = diag(I₁, I₁, I₃). Free, about the center of
 //! mass, it precesses steadily about its angular momentum M, at the angle θ to it:
@@ -48,8 +48,8 @@ pub struct FreeRates {
     pub axial: f64,
     /// Ω₁, the component perpendicular to it.
     pub transverse: f64,
-    /// `Ω_pr`, the rate at which that axis turns about the angular momentum. Not observable at θ =
-    /// 0 and θ = π.
+    /// `Ω_pr`, the rate at which that axis rotates about the angular momentum. Not observable at θ
+    /// = 0 and θ = π.
     pub precession: f64,
     /// ψ̇, the spin about that axis relative to the precessing frame; zero for a spherical body.
     pub spin: f64,
@@ -60,8 +60,8 @@ impl SymmetricTop {
     /// point of the axis \[kg m²\].
     ///
     /// # Errors
-    /// No body has these moments, or one is zero: the rate of a rod about its axis is undefined. A
-    /// rod is [`Rod`](crate::state::Rod) by its state.
+    /// No body has these moments, or one is zero: the rate of a rod about its axis is undefined.
+    /// For a rod use the state [`Rod`](crate::state::Rod).
     pub fn new(transverse: f64, axial: f64) -> Result<Self, InvalidInertia> {
         InertiaTensor::principal(transverse, transverse, axial)?;
         if transverse > 0.0 && axial > 0.0 {

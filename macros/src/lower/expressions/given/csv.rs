@@ -1,8 +1,8 @@
-//! Tables in files: `table(alpha, "lift.csv")`, of a column `table(alpha, "polar.csv", "drag")`, of
-//! two numbers `table(alpha, speed, "lift.csv")`.
+//! Tables in files: `table(alpha, "lift.csv")`, a column `table(alpha, "polar.csv", "drag")`, two
+//! numbers `table(alpha, speed, "lift.csv")`.
 //!
-//! Cells stand between commas; empty lines and those that begin with `#` are passed over. The first
-//! row is a header where none of its cells is a number.
+//! Commas separate cells; empty lines and those that begin with `#` are skipped. The first
+//! row is a header if none of its cells is a number.
 
 use crate::errors::{Errors, Extent, every, hint};
 use crate::model::Dimension;
@@ -10,13 +10,13 @@ use crate::symbolic::Number;
 
 use super::grid::{Column, Grid};
 
-/// A row: the number of its line, and its cells.
+/// A row: its line number, and its cells.
 struct Row<'t> {
     line: usize,
     cells: Vec<&'t str>,
 }
 
-/// A file, and where it is named.
+/// A file, and the place that names it.
 pub struct File<'t> {
     name: &'t str,
     place: Extent,
@@ -44,7 +44,7 @@ impl<'t> File<'t> {
         Some(file)
     }
 
-    /// Each row is as long as the first.
+    /// Every row must be as long as the first.
     fn check_as_long(&self, errors: &mut Errors) -> Option<()> {
         let expected = self.rows[0].cells.len();
         every(self.rows.iter().map(|row| {
@@ -59,7 +59,7 @@ impl<'t> File<'t> {
         Some(())
     }
 
-    /// Places in the first column, values in the one that is asked for, or the only other one.
+    /// Grid points in the first column, values in the named column, or in the only other one.
     pub fn columns(
         mut self,
         asked: Option<(&str, Extent)>,
@@ -111,7 +111,7 @@ impl<'t> File<'t> {
         errors.report(self.place, message)
     }
 
-    /// A row of places for the second number, behind a cell that says nothing, and rows of the places
+    /// A row of grid points for the second number, after an ignored cell, and rows of grid points
     /// of the first, each with its values.
     pub fn grid(mut self, errors: &mut Errors) -> Option<Grid> {
         if self.rows[0].cells.len() < 3 {
@@ -134,7 +134,7 @@ impl<'t> File<'t> {
         })
     }
 
-    /// What stands behind the first cell of a row.
+    /// The cells of a row after the first.
     fn cells(&self, row: &Row<'_>, errors: &mut Errors) -> Option<Column> {
         let cells = row.cells[1..].iter();
         plain(every(cells.map(|cell| self.number(row, cell, errors)))?)
@@ -170,7 +170,7 @@ impl<'t> File<'t> {
         }
     }
 
-    /// Where a row stands.
+    /// The place of a row.
     fn at(&self, row: &Row<'_>, errors: &mut Errors) -> Extent {
         let source = errors.source(format!("`{}`, line {}", self.name, row.line));
         self.place.within(source)

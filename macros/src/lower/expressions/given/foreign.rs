@@ -1,4 +1,4 @@
-//! Functions that stand in the Rust of the user.
+//! Rust functions of the user.
 
 use proc_macro2::Ident;
 
@@ -8,7 +8,7 @@ use crate::symbolic::Foreign;
 use crate::syntax::Expression;
 
 impl Lowering<'_> {
-    /// The value of the function of this number, with the units in which it is given.
+    /// The value of the function with this index, converted by its units.
     pub fn foreign(
         &mut self,
         number: usize,

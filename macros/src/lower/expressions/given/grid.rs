@@ -1,10 +1,10 @@
-//! What tables pass through, and their values as expressions.
+//! Grid points of tables, and their values as expressions.
 
 use crate::errors::Extent;
 use crate::model::Dimension;
 use crate::symbolic::{Function, Graph, Id, Number, Table};
 
-/// How a table goes on.
+/// The interpolation of a table.
 #[derive(Clone, Copy, Default)]
 pub struct Course {
     pub is_cubic: bool,
@@ -22,7 +22,7 @@ pub struct Column {
 pub struct Grid {
     pub rows: Column,
     pub columns: Column,
-    /// Of each row.
+    /// The values of each row.
     pub values: Vec<Column>,
 }
 
@@ -34,7 +34,7 @@ impl Column {
             .collect()
     }
 
-    /// The place of the first number that is not beyond the one before.
+    /// The place of the first number that does not exceed the previous one.
     pub fn first_back(&self) -> Option<Extent> {
         let mut pairs = self.numbers.windows(2);
         let back = pairs.find(|pair| !(pair[1].0.clone() - pair[0].0.clone()).is_positive());
@@ -67,13 +67,14 @@ pub fn looked_up(
 }
 
 impl Grid {
-    /// By the share of each row, a table in x, times what the row is at y, a table too.
+    /// The weight of each row, a table in x, times the value of the row at y, also a table.
     ///
-    /// In cubics also the slopes across the rows are read at y, each a cubic through the slopes at the
-    /// places of the grid: a bicubic polynomial in each rectangle, whose slopes have no jumps. At the
-    /// places the slopes are those of the cubics along rows and columns, which are limited (as R.
-    /// Carlson and F. Fritsch, Monotone Piecewise Bicubic Interpolation, SIAM J. Numer. Anal. 22, 1985,
-    /// 386, begin; between the lines of the grid nothing is limited).
+    /// For cubics the slopes across the rows are also evaluated at y, each a cubic through the
+    /// slopes at the grid points: a bicubic polynomial in each rectangle, with continuous slopes.
+    /// At the grid points the slopes are those of the cubics along rows and columns, which are
+    /// limited (the first step of R. Carlson and F. Fritsch, Monotone Piecewise Bicubic
+    /// Interpolation, SIAM J. Numer. Anal. 22, 1985, 386; between the grid lines nothing is
+    /// limited).
     pub fn looked_up(&self, graph: &mut Graph, [x, y]: [Id; 2], course: Course) -> Option<Id> {
         let (rows, columns) = (self.rows.values(), self.columns.values());
         let across = if course.is_cubic {
@@ -106,7 +107,7 @@ impl Grid {
         Some(sum)
     }
 
-    /// By how much the columns rise from row to row, at each place: of each row.
+    /// The increments of the columns from row to row, at each grid point, for each row.
     fn slopes_across(&self, rows: &[Number]) -> Option<Vec<Vec<Number>>> {
         let mut across = vec![Vec::new(); rows.len()];
         for column in 0..self.columns.numbers.len() {

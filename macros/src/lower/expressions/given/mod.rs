@@ -1,4 +1,4 @@
-//! Functions that a user gives: by values, and in Rust.
+//! Functions given by the user: tables and Rust functions.
 
 mod csv;
 mod foreign;

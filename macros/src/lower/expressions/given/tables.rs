@@ -1,4 +1,4 @@
-//! Tables: `table(alpha, [-0.2, 0, 0.2], [-1.1, 0.1, 1.2][N])`, of two numbers
+//! Tables: `table(alpha, [-0.2, 0, 0.2], [-1.1, 0.1, 1.2][N])`, for two numbers
 //! `table(alpha, speed, [..], [..], [[..], [..]])`.
 
 use proc_macro2::Ident;
@@ -20,7 +20,7 @@ const FORM: &str = "write `table(x, [0, 1, 2], [0, 1, 4])`: a scalar, where the 
      `table(x, y, [0, 1], [0, 1, 2], [[0, 1, 4], [1, 2, 5]])`, a list of values for each x";
 const OF_FILES: &str = "a table of a file is read at one scalar, `table(x, \"lift.csv\")`, with the name of a column \
      `table(x, \"polar.csv\", \"drag\")`, or at two, `table(x, y, \"lift.csv\")`";
-/// How a table goes on between its values and beyond them.
+/// The interpolation of a table between and beyond its values.
 const WORDS: [&str; 4] = ["linear", "cubic", "held", "extrapolated"];
 
 impl Lowering<'_> {
@@ -57,8 +57,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// `(x, "lift.csv")`, `(x, "polar.csv", "drag")` or `(x, y, "lift.csv")`; a unit behind the last
-    /// is that of the values.
+    /// `(x, "lift.csv")`, `(x, "polar.csv", "drag")` or `(x, y, "lift.csv")`; a unit after the last
+    /// string is that of the values.
     fn table_of_file(&mut self, written: &[Expression], course: Course) -> Option<Value> {
         let texts = written
             .iter()
@@ -205,7 +205,7 @@ impl Lowering<'_> {
         Some((found, dimension))
     }
 
-    /// What a table is read at.
+    /// The scalar that is looked up.
     fn argument(&mut self, written: &Expression) -> Option<(Id, Dimension)> {
         match self.value(written)? {
             Value::Scalar(id, dimension) => Some((id, dimension)),
@@ -270,7 +270,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Where values are: each beyond the one before.
+    /// Grid points in increasing order.
     fn increasing(&mut self, written: &Expression) -> Option<Column> {
         let column = self.column(written)?;
         if column.numbers.len() < 2 {

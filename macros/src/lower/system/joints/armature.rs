@@ -1,4 +1,4 @@
-//! Inertia along the coordinate of a joint alone, as a rotor behind gears has it: `.armature(J)`.
+//! Inertia along the coordinate of a joint alone, as of a geared rotor: `.armature(J)`.
 
 use crate::errors::Errors;
 use crate::lower::expressions::Lowering;
@@ -10,7 +10,7 @@ use crate::syntax::{Called, Expression};
 const WHAT: &str = "the armature of a joint";
 
 impl Reader<'_> {
-    /// `.armature(J)`, if it is written; the inner `None` is none.
+    /// `.armature(J)`, if given; the inner `None` is none.
     #[allow(clippy::option_option, reason = "outer: reported; inner: not written")]
     pub fn armature(
         &mut self,

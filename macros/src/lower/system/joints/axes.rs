@@ -1,4 +1,4 @@
-//! The axes of joints, and how what they carry is turned.
+//! The axes of joints, and the rotation of the carried body.
 
 use proc_macro2::Ident;
 
@@ -12,7 +12,7 @@ use super::joint::first_name_of;
 use crate::lower::system::reading::reader::{Reader, still};
 
 impl Reader<'_> {
-    /// What the parts of a joint go by.
+    /// The directions of the parts of a joint.
     pub fn directions(
         &mut self,
         body: usize,
@@ -55,7 +55,7 @@ impl Reader<'_> {
         }
     }
 
-    /// That of a screw; the inner `None` is any other joint.
+    /// The pitch of a screw; the inner `None` is any other joint.
     #[allow(clippy::option_option, reason = "outer: reported; inner: not a screw")]
     pub fn pitch(
         &mut self,
@@ -75,7 +75,7 @@ impl Reader<'_> {
         })
     }
 
-    /// A unit vector, the same in the axes of both bodies where the coordinates are zero.
+    /// A unit vector, the same in the axes of both bodies at zero coordinates.
     fn direction(
         &mut self,
         body: usize,
@@ -109,7 +109,7 @@ impl Reader<'_> {
         found
     }
 
-    /// All of `.turned(axis, angle)`, each in the axes that the ones before have made.
+    /// All `.turned(axis, angle)`, each in the axes rotated by those before.
     pub fn turned(
         &mut self,
         body: usize,
@@ -118,7 +118,7 @@ impl Reader<'_> {
     ) -> Option<Vec<(Components, Id)>> {
         let mut turned = Some(Vec::new());
         let may_turn = !self.system.is_drawn();
-        // the outermost method is the last one that is written
+        // the outermost method is written last
         let others = methods.iter().rev();
         let others = others.filter(|(method, _)| *method != "driven" && *method != "armature");
         for (method, arguments) in others {
@@ -146,7 +146,7 @@ impl Reader<'_> {
         turned
     }
 
-    /// What is wrong with a method behind a joint.
+    /// The error of a method after a joint.
     fn why_not_behind(&self, method: &Ident) -> String {
         let word = method.to_string();
         let message = match (word.as_str(), self.system.is_drawn()) {
@@ -187,8 +187,8 @@ impl Reader<'_> {
 }
 
 /// Two unit vectors that make right-handed axes with a unit vector of numbers: the two axes after
-/// the one that is nearest to it, the first of those that are, turned with that one by the shortest
-/// way.
+/// the nearest axis (the first in a tie), rotated with that axis by the shortest
+/// rotation.
 pub fn across(graph: &mut Graph, normal: Components) -> Option<[Components; 2]> {
     let is_symbol = |id: Id| matches!(graph.node(id), Node::Symbol(_));
     if graph.depends_on(&normal, is_symbol) {

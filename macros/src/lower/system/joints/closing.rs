@@ -9,7 +9,7 @@ use super::axes::across;
 use super::joint::Written;
 
 impl Reader<'_> {
-    /// Takes the joints that close loops from the others.
+    /// Separates the joints that close loops from the others.
     pub fn closings(
         &mut self,
         closing: &[usize],

@@ -1,4 +1,4 @@
-//! `drawing: zero_pose`: bodies and joints, drawn in one frame where all coordinates are zero.
+//! `drawing: zero_pose`: bodies and joints, drawn in one frame at zero coordinates.
 
 use proc_macro2::Ident;
 use quote::format_ident;
@@ -12,7 +12,7 @@ use crate::syntax::{Called, Center, Expression, Kind};
 use super::joint::{End, first_name_of};
 use crate::lower::system::reading::reader::Reader;
 
-/// `(x, y, z)` in the axes of the drawing, which the ground and all bodies have there.
+/// `(x, y, z)` in the axes of the drawing, which are those of the ground and of all bodies.
 pub fn in_drawing(written: &Expression) -> Expression {
     let kind = match &written.kind {
         Kind::Tuple(parts) => {
@@ -29,7 +29,7 @@ pub fn in_drawing(written: &Expression) -> Expression {
 }
 
 impl Reader<'_> {
-    /// Where G of a body is, which is not composed of parts.
+    /// The place of G of a body that is not composed of parts.
     pub fn drawn_center(
         &mut self,
         center: &Center,
@@ -103,7 +103,7 @@ impl Reader<'_> {
         Some(ends)
     }
 
-    /// The number of a body by its name, or the ground.
+    /// The index of a body by its name, or the ground.
     #[allow(clippy::option_option, reason = "outer: reported; inner: the ground")]
     fn drawn_body(
         &self,
@@ -140,7 +140,7 @@ impl Reader<'_> {
     }
 }
 
-/// A place in the drawing, which is fixed.
+/// A fixed place in the drawing.
 fn place(lowering: &mut Lowering<'_>, written: &Expression) -> Option<Components> {
     let vector = in_drawing(written);
     let found = lowering.vector(&vector, Dimension::LENGTH, "a place in the drawing")?;

@@ -44,7 +44,7 @@ fn has_numbers(kind: &JointKind) -> bool {
 }
 
 impl Reader<'_> {
-    /// `.driven(f)`, if it is written: the coordinates as functions of time, with their rates and
+    /// `.driven(f)`, if given: the coordinates as functions of time, with their rates and
     /// accelerations; the inner `None` is none.
     #[allow(clippy::option_option, reason = "outer: reported; inner: not written")]
     pub fn driven(
@@ -114,7 +114,7 @@ impl Reader<'_> {
         Some([value, rate, acceleration])
     }
 
-    /// How fast a function of time, and of inputs with their rates, changes.
+    /// The rate of a function of time, and of inputs with their rates.
     fn rate(&mut self, value: Id, written: &Expression, errors: &mut Errors) -> Option<Id> {
         let graph = &self.work.graph;
         let symbols = graph.reachable(&[value], |id| !graph.is_early(id));

@@ -1,4 +1,4 @@
-//! The joints of a system, as they are written.
+//! The joints of a system, as written.
 
 use proc_macro2::Ident;
 
@@ -10,7 +10,7 @@ use crate::syntax::{CABLE, Called, Definition, Expression, Kind, LINK, call};
 
 use crate::lower::system::reading::reader::Reader;
 
-/// A joint that is read: where it is, and what turns or slides.
+/// A joint after reading: its place, and its parts.
 pub struct Written {
     pub name: Ident,
     pub kind: &'static JointKind,
@@ -20,20 +20,20 @@ pub struct Written {
     pub pin: Components,
     pub directions: Vec<Components>,
     pub pitch: Option<Id>,
-    /// Axes and angles, the first one from the carrier's axes.
+    /// Axes and angles, the first one in the carrier's axes.
     pub turned: Vec<(Components, Id)>,
-    /// How its coordinates move, if that is prescribed.
+    /// The motion of its coordinates, if it is prescribed.
     pub driven: Option<Rates>,
     /// The inertia along its coordinate alone.
     pub armature: Option<Id>,
-    /// Where the carried body is named.
+    /// The place of the name of the carried body.
     pub mention: proc_macro2::Span,
 }
 
-/// A point of a body, by its number, or of the ground, and where it is there.
+/// A point of a body, by its index, or of the ground, and its offset there.
 pub type End = (Option<usize>, Components);
 
-/// The kind of joint that an expression begins with, and what is written behind it.
+/// The kind of joint at the start of an expression, and the methods after it.
 pub fn kind_of(value: &Expression, is_planar: bool) -> Option<&'static JointKind> {
     let word = call(value)?.0.0.to_string();
     JointKind::all(is_planar)
@@ -88,7 +88,7 @@ fn check_count(
 }
 
 impl Reader<'_> {
-    /// Reads all joints; what is wrong with one hides no other.
+    /// Reads all joints; an error in one hides no other.
     pub fn joints(&mut self, errors: &mut Errors) -> Vec<Option<Written>> {
         let written: Vec<&Definition> = self.system.joints.iter().collect();
         written
@@ -146,7 +146,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The carrier's end of a joint, and that of the body that it carries.
+    /// The carrier's end of a joint, and that of the carried body.
     fn joined(
         &mut self,
         kind: &JointKind,
@@ -235,7 +235,7 @@ impl Reader<'_> {
         })
     }
 
-    /// A point of a body, by its number, or of the ground, and where it is there.
+    /// A point of a body, by its index, or of the ground, and its offset there.
     pub fn anchor(&mut self, written: &Expression, errors: &mut Errors) -> Option<End> {
         if let Kind::Name(name) = &written.kind
             && let Some(body) = self

@@ -1,4 +1,4 @@
-//! Joints: how they are written, which carry and which close loops, and how what they carry moves.
+//! Joints: their syntax, which carry and which close loops, and the motion of the carried bodies.
 
 mod armature;
 mod axes;

@@ -1,4 +1,4 @@
-//! How the bodies of a tree move: their states, from the ground to the tips.
+//! The motion of the bodies of a tree: their states, from the ground to the tips.
 
 use crate::model::{
     Attitude, Coordinate, Frame, Meaning, Part, Rates, Shape, State, TreeJoint, Variable, Vector,
@@ -10,18 +10,18 @@ use super::joint::Written;
 use crate::lower::system::reading::body::Draft;
 use crate::lower::system::reading::reader::{Reader, still};
 
-/// The motion of a body in the making: where its joint is, and how that moves.
+/// The motion of a body in the making: the place of its joint, and its motion.
 struct Moving {
     frame: Frame,
     position: Vector,
     velocity: Vector,
     /// In the axes of the frame.
     angular_velocity: Components,
-    /// Where loads follow accelerations: that of the position, and in the axes of the frame.
+    /// If loads depend on accelerations: that of the position, and in the axes of the frame.
     accelerations: Option<(Vector, Components)>,
 }
 
-/// The rate of what turns and its derivative; what slides, with both of its derivatives.
+/// The angular rate and its derivative; the displacement of a slide, with both of its derivatives.
 const TURNING: [Variable; 2] = [Variable::AngularVelocity, Variable::AngularAcceleration];
 const SLIDING: [Variable; 3] = [
     Variable::Position,
@@ -133,7 +133,7 @@ fn symbols(
     Rates(all.collect())
 }
 
-/// How a point of a body at this offset accelerates, and the body.
+/// The acceleration of a point of a body at this offset, and of the body.
 fn accelerations_at(
     work: &mut Workspace,
     carrier: Option<&State>,
@@ -160,7 +160,7 @@ fn thrown(
 }
 
 impl Moving {
-    /// Where a joint is on the ground, or on a body that moves so.
+    /// The place of a joint on the ground, or on a body with this motion.
     fn at_joint(work: &mut Workspace, carrier: Option<&State>, place: Components) -> Self {
         let Some(state) = carrier else {
             return Self {
@@ -183,7 +183,7 @@ impl Moving {
         }
     }
 
-    /// Passes all parts of a joint, and returns their frames.
+    /// Applies all parts of a joint, and returns their frames.
     fn through(
         &mut self,
         work: &mut Workspace,
@@ -236,8 +236,8 @@ impl Moving {
         ]
     }
 
-    /// Goes on in a frame that turns against the last one at a rate, with its derivative, both in its
-    /// axes.
+    /// Continues in a frame that rotates relative to the last one at a rate, with its derivative,
+    /// both in its axes.
     fn enter(&mut self, work: &mut Workspace, frame: Frame, [rate, second]: [Components; 2]) {
         let carried = work.turn(self.angular_velocity, self.frame, frame);
         if let Some((_, angular)) = &mut self.accelerations {
@@ -253,7 +253,7 @@ impl Moving {
         self.frame = frame;
     }
 
-    /// Passes a part of a joint.
+    /// Applies a part of a joint.
     fn pass(
         &mut self,
         work: &mut Workspace,
@@ -300,7 +300,7 @@ impl Moving {
         }
     }
 
-    /// Moves as it may, in the plane or in space.
+    /// Moves freely, in the plane or in space.
     fn float(&mut self, work: &mut Workspace, frame: Frame, of: &Rates) {
         let zero = work.graph.zero();
         let get = |variable: Variable, part: usize| of.get(variable, part).unwrap_or(zero);
@@ -323,7 +323,7 @@ impl Moving {
         self.enter(work, frame, rates);
     }
 
-    /// Moves along a direction that turns with the frame: by a distance, with its derivatives.
+    /// Moves along a direction that rotates with the frame: by a distance, with its derivatives.
     fn slide(
         &mut self,
         work: &mut Workspace,
@@ -355,7 +355,7 @@ impl Moving {
     }
 }
 
-/// Turns a frame by an angle, whose sine and cosine are named after the joint.
+/// Rotates a frame by an angle, whose sine and cosine are named after the joint.
 fn set_angle(
     work: &mut Workspace,
     frame: Frame,

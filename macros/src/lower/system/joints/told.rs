@@ -1,4 +1,4 @@
-//! What others see of a body that moves, and of its joint.
+//! The public quantities of a moving body, and of its joint.
 
 use crate::lower::expressions::{BodyMotion, Value};
 use crate::model::{
@@ -10,7 +10,7 @@ use crate::lower::system::reading::body::Draft;
 use crate::lower::system::reading::reader::Reader;
 
 impl Reader<'_> {
-    /// Others may ask how the body moves.
+    /// Registers the motion of the body for others.
     pub fn tell_of(&mut self, body: usize, state: &State) {
         let values = self.values_of_motion(state);
         let known = &mut self.members.bodies[body];
@@ -24,7 +24,7 @@ impl Reader<'_> {
         known.values.extend(values);
     }
 
-    /// What of a motion has a name behind that of the body.
+    /// The named quantities of a motion, after the name of its body.
     pub fn values_of_motion(&mut self, state: &State) -> Vec<(&'static str, Value)> {
         let mut turning = |components: Components, dimension: Dimension| {
             if self.system.is_planar {
@@ -49,7 +49,7 @@ impl Reader<'_> {
         ]
     }
 
-    /// `attitude`, of a body in the plane the sum of the angles that carry it.
+    /// `attitude`; for a planar body the sum of the angles of the joints that carry it.
     pub fn define_attitude(&mut self, draft: &mut Draft<'_>, is_told: bool) {
         let value = if self.system.is_planar {
             let mut angles = Vec::new();
@@ -75,13 +75,13 @@ impl Reader<'_> {
         }
     }
 
-    /// The coordinates of a joint with their rates, by the names that its state has for them, and their
+    /// The coordinates of a joint with their rates, by their names in its state, and their
     /// accelerations.
     pub fn joint_values(&mut self, joint: &TreeJoint) -> Vec<(&'static str, Value)> {
         self.values_of_joint(joint, &joint.coordinates)
     }
 
-    /// The same, of these coordinates.
+    /// The same for these coordinates.
     pub fn values_of_joint(
         &mut self,
         joint: &TreeJoint,
@@ -127,7 +127,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The vector that several components of a state are.
+    /// The vector of several components of a state.
     fn vector_of(&mut self, joint: &TreeJoint, variable: Variable, parts: &[Id]) -> Vector {
         let body = joint.frames.last().copied().unwrap_or(Frame::WORLD);
         if matches!(
@@ -148,7 +148,7 @@ impl Reader<'_> {
         whole
     }
 
-    /// The directions in which a joint slides, and the frame that they are fixed in.
+    /// The directions in which a joint slides, and their frame.
     pub fn slides(&self, joint: &TreeJoint) -> (Frame, Vec<Components>) {
         if joint.kind.is_free() {
             return (Frame::WORLD, joint.directions.clone());

@@ -1,4 +1,4 @@
-//! Whether joints make a tree: each body is carried once, and all are carried by the ground.
+//! Checks that joints make a tree: each body is carried once, and all are carried by the ground.
 
 use crate::errors::Errors;
 use crate::model::Holds;
@@ -7,8 +7,8 @@ use super::joint::Written;
 use crate::lower::system::reading::reader::Reader;
 
 impl Reader<'_> {
-    /// The joints in an order in which each carrier comes before what it carries, and those that close
-    /// loops: a body is carried by the first joint that is written of it.
+    /// The joints in an order in which each carrier precedes what it carries, and those that close
+    /// loops: the first written joint of a body carries it.
     pub fn tree(
         &self,
         joints: &[Option<Written>],
@@ -46,7 +46,7 @@ impl Reader<'_> {
                 format!("`{name}` has no bodies: write `bodies: [arm {{ .. }}]`"),
             );
         }
-        // what is wrong with a joint may be that it names no body
+        // the error in a joint may be that it names no body
         if is_sound {
             for (body, carried) in bodies.iter().zip(&carried_by) {
                 if carried.is_none() {
@@ -96,7 +96,7 @@ fn may_close(joint: &Written) -> Result<(), &'static str> {
     }
 }
 
-/// Joints after those that carry their carriers, and which bodies these carry.
+/// Orders joints after those that carry their carriers, with the bodies that they carry.
 fn in_order(joints: &[Option<Written>], carried_by: &[Option<usize>]) -> (Vec<usize>, Vec<bool>) {
     let mut order: Vec<usize> = Vec::new();
     let mut placed = vec![false; carried_by.len()];

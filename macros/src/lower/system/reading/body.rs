@@ -1,4 +1,4 @@
-//! The bodies of a system: their points first, and when their motion is known, all the rest.
+//! The bodies of a system: first their points, and all the rest when their motion is known.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -16,7 +16,7 @@ use crate::syntax::{self, Description, Kind};
 use super::names::{check_own_names, for_copy};
 use super::reader::{Reader, names_of_constraints, points, still};
 
-/// A body of which the points are read.
+/// A body whose points are read.
 pub struct Draft<'a> {
     pub description: &'a Description,
     pub frame: Frame,
@@ -24,14 +24,14 @@ pub struct Draft<'a> {
     pub mass: Mass,
     pub composed: Option<Composed>,
     pub drawn: Drawn,
-    /// Points, and what they refer to, that follow from how the body moves.
+    /// Points, and their dependencies, that depend on the motion of the body.
     pub late: Vec<Definition>,
     /// Once the joints are known.
     pub state: Option<State>,
 }
 
 impl<'a> Reader<'a> {
-    /// Reads the points and the mass of a body, and tells others of them.
+    /// Reads the points and the mass of a body, and registers them for others.
     pub fn points(
         &mut self,
         number: usize,
@@ -89,7 +89,7 @@ impl<'a> Reader<'a> {
         draft
     }
 
-    /// Reads the points that follow from how bodies move, now that this is known, or known otherwise.
+    /// Reads the points that depend on the motion of bodies, now that it is known, or replaced.
     pub fn late_points(&mut self, drafts: &mut [Draft<'_>], errors: &mut Errors) {
         let defaults = self.defaults.clone();
         let mut wrong = HashSet::new();
@@ -112,7 +112,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Where G of a body is in a drawing; of parts that follows.
+    /// The place of a body's G in a drawing; for composed bodies it follows from the parts.
     fn drawn(&mut self, number: usize, body: &Description, errors: &mut Errors) -> Drawn {
         match self.system.centers.as_ref().and_then(|all| all.get(number)) {
             Some(center) if body.composition.is_none() => {
@@ -123,7 +123,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A state of which nothing is known before the system moves.
+    /// An unknown state, before the system moves.
     fn unknown_state(&mut self, frame: Frame) -> State {
         let axes = if self.system.is_planar { 0..2 } else { 0..3 };
         let turning = if self.system.is_planar { 2..3 } else { 0..3 };
@@ -148,7 +148,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads something of a body, which sees what is declared for the whole system.
+    /// Reads a part of a body, which sees the declarations of the whole system.
     pub fn in_body<T>(
         &mut self,
         draft: &mut Draft<'_>,
@@ -190,7 +190,8 @@ impl<'a> Reader<'a> {
         result
     }
 
-    /// All that depends on how the bodies move: their other definitions, inertia and loads.
+    /// Everything that depends on the motion of the bodies: their other definitions, inertia and
+    /// loads.
     pub fn bodies(
         &mut self,
         drafts: &mut [Draft<'_>],
@@ -202,7 +203,7 @@ impl<'a> Reader<'a> {
         let mut reported = HashSet::new();
         for (number, draft) in drafts.iter_mut().enumerate() {
             let first = self.system.firsts[number];
-            // mistakes in the points of a copy hide none in the rest of the first one
+            // errors in the points of a copy hide none in the rest of the first one
             let silent = if wrong.contains(&first) && first != number {
                 &mut *wrong
             } else {
@@ -227,7 +228,7 @@ impl<'a> Reader<'a> {
         errors: &mut Errors,
     ) -> Option<Member> {
         let body = draft.description;
-        // circles are reported already
+        // cycles are reported already
         let (order, _) = silently(|errors| definition_order(body, errors));
         let (_, rest) = split_at_points(body, &order);
         let defaults = self.defaults.clone();
@@ -247,7 +248,7 @@ impl<'a> Reader<'a> {
             } else {
                 lowering.inertia(body, *mass, &defaults)
             };
-            // there is nothing that fields could act on in a frame
+            // fields do not act on a frame
             let fields = fields.iter().filter(|_| !body.is_frame);
             let written = fields.chain(&body.loads);
             let kept = known.then(|| lowering.kept(body, inputs, first)).flatten();
@@ -289,8 +290,8 @@ fn first_unknown(load: &syntax::Load) -> Option<Extent> {
     found
 }
 
-/// Takes from all bodies the fields in which they fall alike, and returns their acceleration; so many
-/// loads of each body are the fields of the system, in their order.
+/// Removes from all bodies the fields in which they fall equally, and returns their acceleration;
+/// this many loads of each body are the fields of the system, in their order.
 pub fn common_gravity(work: &mut Workspace, bodies: &mut [Member], fields: usize) -> Components {
     let mut gravity = work.graph.zeros();
     let mut bodies: Vec<&mut Member> = bodies
@@ -316,7 +317,7 @@ pub fn common_gravity(work: &mut Workspace, bodies: &mut [Member], fields: usize
     gravity
 }
 
-/// The acceleration that a field gives a body, if it acts at its G and is the same in all states.
+/// The acceleration of a body by a field, if it acts at its G and is the same in all states.
 fn fall(work: &mut Workspace, body: &Member, load: &Load) -> Option<Components> {
     let offset = load.point.offset(body.state.body);
     let at_center = offset.is_some_and(|offset| work.graph.is_zero_vector(&offset));

@@ -1,4 +1,4 @@
-//! What the parts of a system are read with: the names, the bodies.
+//! The context of reading the parts of a system: the names, the bodies.
 
 pub mod body;
 mod kept;

@@ -1,4 +1,4 @@
-//! The names of a system: which there are, which of them mean two things, and which change.
+//! The names of a system: all of them, the ambiguous ones, and those of changing quantities.
 
 use std::collections::HashSet;
 
@@ -17,7 +17,7 @@ pub fn declared(system: &syntax::System) -> Vec<String> {
     names.map(ToString::to_string).collect()
 }
 
-/// Reads a body; what is wrong with one of several copies is said once.
+/// Reads a body; the error of one of several copies is reported once.
 pub fn for_copy<T>(
     first: usize,
     number: usize,
@@ -36,7 +36,7 @@ pub fn for_copy<T>(
     found
 }
 
-/// Reports names of bodies and joints that mean two things, and returns them.
+/// Reports ambiguous names of bodies and joints, and returns them.
 pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<String> {
     let mut repeated = HashSet::new();
     let mut seen: Vec<(&Ident, &str)> = Vec::new();
@@ -50,7 +50,7 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
     let bodies = system.bodies.iter().map(|body| (&body.name, "body"));
     let joints = system.joints.iter().map(|joint| (&joint.name, "joint"));
     let cables = system.cables.iter().map(|cable| (&cable.name, "cable"));
-    // their loads are fields beside joints
+    // their loads are fields next to joints
     let constraints = top.constraints.iter().map(|one| (&one.name, "constraint"));
     for (name, what) in bodies.chain(joints).chain(cables).chain(constraints) {
         if BUILT_IN.contains(&name.to_string().as_str()) {
@@ -73,7 +73,7 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
     repeated
 }
 
-/// Reports joints that are called as the drive that is found of another one, beside which they are
+/// Reports joints with the name of the solved drive of another joint, because both are
 /// fields, and leaves out that drive.
 pub fn check_driving(system: &syntax::System, outline: &mut Outline, errors: &mut Errors) {
     outline.driving.retain(|(driven, drive)| {
@@ -89,8 +89,8 @@ pub fn check_driving(system: &syntax::System, outline: &mut Outline, errors: &mu
     });
 }
 
-/// Reports loads of constraints that have the name of another field of the reactions, such as
-/// `pin_x` of the constraint `pin` and of a joint. Constraints that are called alike are reported
+/// Reports loads of constraints with the name of another field of the reactions, such as
+/// `pin_x` of the constraint `pin` and of a joint. Constraints with the same name are reported
 /// by their own names.
 pub fn check_loads(
     system: &syntax::System,
@@ -120,7 +120,7 @@ pub fn check_loads(
     }
 }
 
-/// Reports names of a body that mean something for the whole system, and returns them.
+/// Reports names of a body with a meaning for the whole system, and returns them.
 pub fn check_own_names(
     system: &syntax::System,
     body: &syntax::Description,
@@ -150,7 +150,7 @@ pub fn check_own_names(
     repeated
 }
 
-/// The locals that depend on how the system moves.
+/// The locals that depend on the motion of the system.
 pub fn moving_locals(system: &syntax::System) -> HashSet<String> {
     let bodies = system.bodies.iter().map(|body| body.name.to_string());
     let joints = system.joints.iter().map(|joint| joint.name.to_string());
@@ -172,14 +172,14 @@ pub fn moving_locals(system: &syntax::System) -> HashSet<String> {
     }
 }
 
-/// The same, by themselves.
+/// The same, directly.
 pub fn late_locals(system: &syntax::System) -> Vec<String> {
     let moving = moving_locals(system);
     let locals = system.top.locals.iter().map(|local| local.name.to_string());
     locals.filter(|name| moving.contains(name)).collect()
 }
 
-/// Whether any expression has the word for an acceleration, of a body, a joint or a point.
+/// Whether any expression contains the word for an acceleration of a body, a joint or a point.
 pub fn mentions_accelerations(system: &syntax::System) -> bool {
     let of = |list: &[Definition]| {
         let mut values = list.iter().filter_map(|one| one.value.as_ref());

@@ -1,4 +1,4 @@
-//! What the parts of a system are read with, and what stands beside its bodies.
+//! The context of reading the parts of a system, and the definitions next to its bodies.
 
 use std::collections::HashSet;
 
@@ -16,31 +16,31 @@ use super::names::{
     check_driving, check_members, declared, late_locals, mentions_accelerations, moving_locals,
 };
 
-/// What the parts of a system are read with.
+/// The context of reading the parts of a system.
 pub struct Reader<'a> {
     pub system: &'a syntax::System,
     pub work: Workspace,
     pub scope: Scope,
     pub members: Members,
     pub motion: Motion,
-    /// Whether anything is said of accelerations.
+    /// Whether accelerations are mentioned.
     pub follows_accelerations: bool,
     /// Whether drives are solved for.
     pub is_inverse: bool,
-    /// For each body, whether its joints let it turn.
+    /// For each body, whether its joints let it rotate.
     pub turning: Vec<bool>,
     pub time: Id,
     pub defaults: Defaults,
-    /// How many derivatives of each input are given.
+    /// The number of given derivatives of each input.
     pub derivatives: Vec<usize>,
-    /// The constraints that are read; `None` if one of them was reported.
+    /// The constraints read so far; `None` if one of them was reported.
     pub kept: Option<Kept>,
-    /// The number that the load of the first constraint has among the parts of reactions.
+    /// The index of the load of the first constraint among the parts of reactions.
     pub first_load: usize,
 }
 
 impl<'a> Reader<'a> {
-    /// Nothing is read yet but names.
+    /// Only names are read so far.
     pub fn new(system: &'a syntax::System, outline: &mut Outline, errors: &mut Errors) -> Self {
         let mut repeated = check_names(&system.top, errors);
         repeated.extend(check_members(system, errors));
@@ -76,7 +76,7 @@ impl<'a> Reader<'a> {
         self.locals(errors, false);
     }
 
-    /// Reads what stands beside the bodies.
+    /// Reads the definitions next to the bodies.
     pub fn at_top<T>(
         &mut self,
         errors: &mut Errors,
@@ -99,7 +99,8 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// The locals of the system: those that mention no body, joint or time, and later the others.
+    /// The locals of the system: first those that mention no body, joint or time, and later the
+    /// others.
     pub fn locals(&mut self, errors: &mut Errors, is_late: bool) {
         let locals = &self.system.top.locals;
         let moves = moving_locals(self.system);
@@ -130,13 +131,13 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The names of constraints, which those of their loads are.
+/// The names of constraints, which are also those of their loads.
 pub fn names_of_constraints(description: &syntax::Description) -> Vec<String> {
     let written = description.constraints.iter();
     written.map(|one| one.name.to_string()).collect()
 }
 
-/// A body of which no motion is known.
+/// A body with unknown motion.
 pub fn still(body: Frame, time: Id) -> State {
     let zeros = Workspace::default().graph.zeros();
     State {

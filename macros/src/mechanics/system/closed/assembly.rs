@@ -1,5 +1,6 @@
-//! Closed states, found in doubles with the defaults of parameters: how many rows are independent
-//! there, and move on. It chooses a form of the equations; nothing is claimed from it.
+//! Closed states, found in doubles with the defaults of parameters, and the number of rows that are
+//! independent there and remain so in motion. This selects a form of the equations; no claim
+//! follows from it.
 
 use std::collections::HashMap;
 
@@ -9,21 +10,21 @@ use crate::symbolic::{Coordinate, Id};
 use super::super::constraints::Row;
 use super::numbers::{Random, Span, solve};
 
-/// So many states are begun with, and so many steps taken from each.
+/// The number of initial states, and the limit of steps from each.
 const STARTS: u64 = 24;
 const STEPS: usize = 60;
-/// A closed state is moved by this much to see whether it moves.
+/// The displacement of a closed state to see whether it moves.
 const MOVED: f64 = 0.05;
 
-/// How a state without given motion changes.
+/// The change of a state without given motion.
 pub struct Coordinates {
-    /// The rates of the open freedoms.
+    /// The rates of the open coordinates.
     pub rates: Vec<Id>,
-    /// What is before the rates in a state, with theirs.
+    /// The coordinates of a state, with their rates.
     pub places: Vec<Coordinate>,
 }
 
-/// What is kept, and the coordinates that it depends on.
+/// The rows, and the coordinates on which they depend.
 pub struct Assembly<'a> {
     work: &'a Workspace,
     rows: Vec<&'a Row>,
@@ -61,10 +62,10 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// Which rows are independent of those before them in closed states that move, if these are fewer
-    /// there than anywhere else.
+    /// Which rows are independent of those before them in closed states that move, if these are
+    /// fewer there than elsewhere.
     pub fn independent(&self) -> Option<Vec<bool>> {
-        // without a freedom nothing moves on
+        // without open coordinates nothing moves
         if self.rates.is_empty() {
             return None;
         }
@@ -80,7 +81,7 @@ impl<'a> Assembly<'a> {
             self.moves(&values, &mut random)
                 .then(|| self.spanned(&values).0)
         });
-        // those that are folded have less, and others are meant
+        // folded states have fewer independent rows, but other states are meant
         let found = closed.max_by_key(|found| count(found))?;
         (count(&found) < most).then_some(found)
     }
@@ -105,7 +106,7 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// What is not known looks random, and stands still.
+    /// Unknown quantities get random-looking, constant values.
     fn evaluate(&self, roots: &[Id], values: &Values) -> Vec<f64> {
         self.work.graph.evaluate(roots, |id| {
             let known = values.get(&id).copied();
@@ -126,14 +127,15 @@ impl<'a> Assembly<'a> {
             .collect()
     }
 
-    /// Which rows are independent of those before them, and what they span.
+    /// Which rows are independent of those before them, and their span.
     fn spanned(&self, values: &Values) -> (Vec<bool>, Span) {
         let mut span = Span::default();
         let rows = self.slopes(values).into_iter();
         (rows.map(|row| span.take(row)).collect(), span)
     }
 
-    /// Goes to a closed state near by, by Newton's method with damping: how far each freedom moved.
+    /// Finds a nearby closed state by Newton's method with damping: the displacement of each
+    /// coordinate.
     fn close(&self, values: &mut Values) -> Option<Vec<f64>> {
         let held: Vec<usize> = (0..self.rows.len())
             .filter(|row| self.rows[*row].value.is_some())
@@ -164,7 +166,7 @@ impl<'a> Assembly<'a> {
         is_closed.then_some(all)
     }
 
-    /// A state with freedoms changed by these amounts.
+    /// A state with coordinates changed by these amounts.
     fn moved(&self, values: &Values, step: &[f64]) -> Values {
         let mut rates = values.clone();
         rates.extend(self.rates.iter().copied().zip(step.iter().copied()));
@@ -180,7 +182,7 @@ impl<'a> Assembly<'a> {
         moved
     }
 
-    /// Whether what is held can move on, with rows as dependent as they are here.
+    /// Whether the system can move on, with rows as dependent as they are here.
     fn moves(&self, values: &Values, random: &mut Random) -> bool {
         let slopes = self.slopes(values);
         let (found, span) = self.spanned(values);
@@ -207,7 +209,7 @@ fn squares(all: &[f64]) -> f64 {
     all.iter().map(|one| one * one).sum()
 }
 
-/// That of the largest row.
+/// The size of the largest row.
 fn size(slopes: &[Vec<f64>]) -> f64 {
     let sizes = slopes.iter().map(|row| squares(row).sqrt());
     sizes.fold(0.0, f64::max)

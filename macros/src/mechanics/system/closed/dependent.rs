@@ -1,5 +1,5 @@
-//! Rows that depend on each other in closed states: the motion, and loads that keep it, of the least
-//! squares of their numbers.
+//! Rows that depend on each other in closed states: the motion, and the constraint loads of least
+//! squares.
 //!
 //! ```text
 //! S l = r        S = A M^-1 A^T, of rank k in closed states, where r is in its range
@@ -7,11 +7,12 @@
 //! l = N_k r / e_k        N_1 = 1,  N_(j+1) = e_j - S N_j,  e_j = tr(S N_j) / j
 //! ```
 //!
-//! by the theorem of Cayley and Hamilton on the range: `e_k` is the sum of all minors of k rows, and no row
-//! is preferred. S has no negative eigenvalue, so that it vanishes only where the rank is less. That the
-//! rank is k is not proved, and not taken for granted: where `S l` differs from r by more than rounding and
-//! what the state lacks of a closed one, all is not a number. Where it does not, all rows are kept and all
-//! balances hold, and this determines the motion.
+//! by the theorem of Cayley and Hamilton on the range: `e_k` is the sum of all minors of k rows,
+//! and no row is preferred. S has no negative eigenvalue, so `e_k` vanishes only where the rank is
+//! less. That the rank is k is not proved and not assumed: if `S l` differs from r by more than
+//! rounding and the distance of the state from a closed one, the result is NaN. Otherwise all rows
+//! are satisfied and all balances hold, and this determines the motion. balances hold, and this
+//! determines the motion.
 
 use crate::mechanics::tree::MassMatrix;
 use crate::model::Workspace;
@@ -23,7 +24,7 @@ use super::guard::{Closeness, guard};
 use super::semidefinite::{Solver, product};
 use super::unsettled::Keeper;
 
-/// Rows of one joint and of one dimension, and how many of them are independent.
+/// Rows of one joint and of one dimension, and the number of independent ones.
 pub struct Group {
     rows: Vec<usize>,
     /// Where closed states were found, by row: those are a choice among others.
@@ -66,16 +67,18 @@ struct Left {
     groups: Vec<Group>,
     /// The rows of all groups, in order.
     rows: Vec<usize>,
-    /// Accelerations and the loads of the others, without loads of these rows, and by a unit of each.
+    /// Accelerations and the loads of the others, without loads of these rows, and by a unit of
+    /// each.
     base: Vec<Id>,
     units: Vec<Vec<Id>>,
     matrix: Vec<Vec<Id>>,
     right: Vec<Id>,
-    /// By row, a bound of what is in `matrix` on its diagonal.
+    /// By row, a bound of the diagonal of `matrix`.
     bounds: Vec<Id>,
 }
 
-/// Solves for accelerations and loads, that follow none; nothing if there is no need or no way.
+/// Solves for accelerations and loads, if no loads depend on them; none if there is no need or no
+/// way.
 pub fn dependent(
     work: &mut Workspace,
     matrix: &MassMatrix,
@@ -126,7 +129,7 @@ pub fn dependent(
     let loads = spread(graph, &all[count..], &held);
     let (mut loose, mut follows) = (Vec::new(), vec![false; kept.len()]);
     for own in left.spare() {
-        // what others balance of a unit of this load
+        // the loads of others that balance a unit of this load
         let column: Vec<Id> = left.matrix.iter().map(|row| row[own]).collect();
         let others = solver.solve(graph, &column);
         let mut of_left: Vec<Id> = others.into_iter().map(|one| graph.negate(one)).collect();
@@ -211,7 +214,7 @@ fn left(
 }
 
 impl Left {
-    /// As many rows of each group as depend on others.
+    /// The number of dependent rows of each group.
     fn spare(&self) -> Vec<usize> {
         let all = self.groups.iter().flat_map(|group| &group.is_independent);
         let spare = all.enumerate().filter(|(_, is_new)| !**is_new);
@@ -219,7 +222,7 @@ impl Left {
     }
 }
 
-/// The equations of what a unit of a load does alone.
+/// The equations for the effect of a single unit of a load.
 fn pushed(graph: &Graph, equations: &[Equation], slopes: &[Id]) -> Vec<Equation> {
     let zero = graph.zero();
     let rights = slopes.iter().copied().chain(std::iter::repeat(zero));
@@ -242,7 +245,7 @@ fn combined(graph: &mut Graph, base: &[Id], units: &[Vec<Id>], factors: &[Id]) -
     all.collect()
 }
 
-/// One where all rows hold with these loads, and not a number elsewhere.
+/// One if all rows hold with these loads, otherwise NaN.
 fn guard_of(
     graph: &mut Graph,
     left: &Left,

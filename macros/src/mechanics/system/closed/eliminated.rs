@@ -8,26 +8,26 @@ use super::super::constraints::{Row, split};
 use super::super::reduced::{Kept, together};
 use super::unsettled::{Keeper, open, without_column};
 
-/// What is found of a system that is held by rows.
+/// The solution for a system that is held by rows.
 pub struct Found {
-    /// Of the open freedoms.
+    /// Accelerations of the open coordinates.
     pub accelerations: Vec<Id>,
-    /// Of the rows.
+    /// Loads of the rows.
     pub loads: Vec<Id>,
-    /// Whether the motion takes no loads.
+    /// Whether the motion does not depend on the loads.
     pub is_resolved: bool,
-    /// Rows whose loads are not determined, with those that can do all that each does, and the loads
+    /// Rows whose loads are not determined, with those that can replace each, and the loads
     /// of all rows that balance one unit of it.
     pub spare: Vec<(usize, Vec<usize>, Vec<Id>)>,
     /// Loads of all rows that balance each other in closed states.
     pub loose: Vec<Vec<Id>>,
-    /// The rows that others keep there, of which there may be none.
+    /// The rows that follow from others there, if any.
     pub follows: Vec<bool>,
-    /// Freedoms whose inertia is taken away by the loads that follow accelerations.
+    /// Coordinates whose inertia is cancelled by the loads that depend on accelerations.
     pub light: Vec<usize>,
 }
 
-/// The symbols that loads may follow.
+/// The symbols on which loads may depend.
 #[derive(Clone, Copy)]
 pub struct Following<'a> {
     /// Of the loads of rows.
@@ -36,7 +36,7 @@ pub struct Following<'a> {
     pub accelerations: &'a [Id],
 }
 
-/// Solves for accelerations and loads; loads that follow these do so by these symbols.
+/// Solves for accelerations and loads; dependent loads are given by these symbols.
 pub fn eliminated(
     work: &mut Workspace,
     matrix: &MassMatrix,
@@ -47,7 +47,7 @@ pub fn eliminated(
     let rows: Vec<&Row> = kept.iter().map(|(_, row)| row).collect();
     let equations = equations(work, matrix, &rows, following);
     let solved = work.graph.solve(equations.clone(), count + kept.len());
-    // what balances by itself: a unit of each load that is not determined, with what it takes of others
+    // balanced combinations: a unit of each undetermined load, with the required loads of others
     let mut spare = Vec::new();
     for (row, others) in open(&solved, count) {
         let equations = without_column(&mut work.graph, &equations, count + row);
@@ -71,8 +71,8 @@ pub fn eliminated(
     }
 }
 
-/// `M q'' - A^T l = f` and `A q'' = -b`, for the accelerations and then the loads l; what of f follows
-/// these, by its symbols, is on the left.
+/// `M q'' - A^T l = f` and `A q'' = -b`, for the accelerations and then the loads l; the part of f
+/// that depends on these, by its symbols, is on the left.
 pub fn equations(
     work: &mut Workspace,
     matrix: &MassMatrix,
@@ -108,14 +108,14 @@ pub fn equations(
             pushes: pushes.collect(),
             slopes: row.slopes.clone(),
             right: work.graph.negate(row.bias),
-            // where it says nothing, its load is zero
+            // where it is trivial, its load is zero
             own: row
                 .active
                 .map_or(zero, |active| work.graph.select(active, zero, one)),
         }
     });
     let rows: Vec<Kept> = rows.collect();
-    // without loads that follow others, `-A M^-1 A^T` is left of their rows
+    // without dependent loads, the remainder of their rows is `-A M^-1 A^T`
     let of_load = if is_followed || is_fed_back {
         Size::Beside
     } else {
@@ -123,7 +123,7 @@ pub fn equations(
     };
     let mut equations = together(work, (&masses, &driving), &rows, of_load);
     if is_fed_back {
-        // what loads add to masses need not be positive
+        // the contribution of loads to masses need not be positive
         for (row, equation) in equations.iter_mut().enumerate().take(count) {
             equation.sizes[row] = Size::Terms;
         }

@@ -1,28 +1,29 @@
-//! Whether rows hold that were not solved for: to rounding, and to what a state lacks of a closed one.
+//! Checks of rows that were not solved for: to rounding, and to the distance of a state from a
+//! closed one.
 
 use crate::symbolic::{Graph, Id, Number};
 
 use super::super::constraints::Row;
 use super::unsettled::Keeper;
 
-/// So large is what rounding may leave of a row, beside its terms.
+/// The possible rounding of a row, relative to its terms.
 const ROUNDING: f64 = 1e-12;
-/// A state that lacks this fraction of being closed may leave as many times it.
+/// If a state is off a closed one by some fraction, rows may be off by this multiple of it.
 const REACH: i64 = 1 << 10;
-/// Where nothing moves, nothing is left: [m/s^2] or [rad/s^2].
+/// The possible remainder where nothing moves: [m/s^2] or [rad/s^2].
 const NOTHING: f64 = 1e-30;
 
-/// How far a state is from a closed one: squares.
+/// The distance of a state from a closed one: squares.
 pub struct Closeness {
-    /// In places, as a fraction of the size of what is held.
+    /// In positions, as a fraction of the size of the system.
     place: Id,
-    /// Likewise of velocities \[1/s\].
+    /// Likewise in velocities \[1/s\].
     rate: Id,
     rates: Vec<Id>,
 }
 
 impl Closeness {
-    /// By joints; `is_turning` are the freedoms that turn, for which slopes are lengths.
+    /// By joints; `is_turning` are the rotational coordinates, whose slopes are lengths.
     pub fn of(
         graph: &mut Graph,
         kept: &[(Keeper, Row)],
@@ -68,7 +69,7 @@ impl Closeness {
     }
 }
 
-/// One, or not a number: where the square of what is `lacking` of rows is more than their `terms` allow.
+/// One, or NaN if the square of the `lacking` part of rows is more than their `terms` allow.
 /// `divisor` is positive.
 pub fn guard(
     graph: &mut Graph,
@@ -97,7 +98,7 @@ pub fn guard(
     allowed.push(graph.multiply(reach, fast));
     allowed.push(number(graph, NOTHING * NOTHING));
     let allowed = graph.sum(&allowed);
-    // a pivot is none that is not more than eight roundings of its size
+    // a pivot must be more than eight roundings of its size
     let eighth = number(graph, 0.125 / f64::EPSILON);
     let beside = graph.divide(lacking, allowed);
     let beside = graph.multiply(eighth, beside);

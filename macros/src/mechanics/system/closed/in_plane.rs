@@ -1,4 +1,4 @@
-//! Loops in the plane: the motion in absolute angles, and after it the loads.
+//! Loops in the plane: first the motion in absolute angles, and then the loads.
 
 use crate::mechanics::following::unknowns_in;
 use crate::mechanics::tree::link::{Link, Tree};
@@ -12,7 +12,7 @@ use super::super::reduced::{Balance, Held, Reduced, loads, reduce};
 use super::eliminated::Found;
 use super::unsettled::Keeper;
 
-/// A system, and what is kept of it.
+/// A system, and its rows.
 pub struct Known<'a> {
     pub built: &'a Built,
     /// Its tree, with the accelerations of free links along world axes.
@@ -23,7 +23,7 @@ pub struct Known<'a> {
 }
 
 impl Known<'_> {
-    /// Whether rows say nothing somewhere, or loads follow those of constraints.
+    /// Whether rows are trivial somewhere, or loads depend on those of constraints.
     pub fn is_followed(&self, work: &Workspace) -> bool {
         let links = self.built.tree.links.iter();
         let given = links.flat_map(|link| {
@@ -36,8 +36,8 @@ impl Known<'_> {
     }
 }
 
-/// Resolves block by block what is kept; nothing where rows are dependent or say nothing somewhere, or
-/// where loads follow those of constraints.
+/// Solves the rows block by block; none if rows are dependent or trivial somewhere, or
+/// if loads depend on those of constraints.
 pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     let tree = &known.built.tree;
     if known.is_followed(work) {
@@ -69,7 +69,8 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     })
 }
 
-/// What is kept, by absolute coordinates, and by which joint: that of joints, and then what is written.
+/// The rows, in absolute coordinates, with their joints: first those of joints, and then written
+/// ones.
 fn rows(
     graph: &mut Graph,
     known: &Known<'_>,
@@ -95,14 +96,14 @@ fn rows(
     rows
 }
 
-/// The motion. A hinge that closes a loop may carry, for fewer links that are coupled: this changes the
-/// loads of its rows, and of no others,
+/// The motion. A hinge that closes a loop may become a carrier, so that fewer links are coupled:
+/// this changes the loads of its rows, and of no others,
 ///
 /// ```text
 /// J' = J + W A        J'^T (m J' x - f) = J^T (m J x - f) + A^T W^T (..)
 /// ```
 ///
-/// so it does not where they are found with the motion, and not from it.
+/// so it is not done if they are found together with the motion, and not from it.
 fn resolve(
     work: &mut Workspace,
     known: &Known<'_>,
@@ -148,7 +149,7 @@ fn balances(
     balances.collect()
 }
 
-/// What lacks along the open freedoms for the accelerations that are found.
+/// The missing load along the open coordinates for the solved accelerations.
 fn lacking(work: &mut Workspace, tree: &Tree, accelerations: &[Id]) -> Vec<Id> {
     let mut rest = accelerations.iter().copied();
     let by_link: Vec<Vec<Id>> = tree

@@ -1,5 +1,5 @@
-//! Inverse dynamics of what is kept beside the joints of a tree: the open drives u and the loads l of
-//! constraints that together make what the joints need,
+//! Inverse dynamics of a system held by more than its tree: the open drives u and the constraint
+//! loads l that together give the loads needed by the joints,
 //!
 //! ```text
 //! u + A^T l = M q'' - f
@@ -12,8 +12,8 @@ use crate::symbolic::{Elimination, Equation, Id, Size};
 use super::super::constraints::split;
 use super::solve::Closed;
 
-/// Solves for the open drives, and then the loads. `needed` is the right side, along each open freedom;
-/// `open` are the freedoms that have a drive.
+/// Solves for the open drives, and then the loads. `needed` is the right side, along each open
+/// coordinate; `open` are the coordinates that have a drive.
 pub fn solve_drives(
     work: &mut Workspace,
     closed: &Closed,
@@ -37,7 +37,7 @@ pub fn solve_drives(
         }
         sides.push((coefficients, needed));
     }
-    // where a constraint says nothing, its load is zero
+    // where a constraint is trivial, its load is zero
     for (number, row) in closed.constraints.iter().enumerate() {
         if let Some(active) = row.active {
             let mut coefficients = vec![zero; open.len() + closed.constraints.len()];

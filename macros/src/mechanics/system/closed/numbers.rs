@@ -1,9 +1,9 @@
 //! Linear algebra in doubles.
 
-/// A row of which no more than this fraction is left depends on others.
+/// A row depends on others if at most this fraction of it remains.
 const DEPENDENT: f64 = 1e-6;
 
-/// Numbers that look random.
+/// Random-looking numbers.
 pub struct Random(u64);
 
 impl Random {
@@ -29,7 +29,7 @@ impl Random {
 pub struct Span(Vec<Vec<f64>>);
 
 impl Span {
-    /// Whether a row is independent of those before it; it then belongs to it.
+    /// Whether a row is independent of those before it; if so, adds it.
     pub fn take(&mut self, row: Vec<f64>) -> bool {
         let left = self.left(row);
         let is_new = left.is_some();

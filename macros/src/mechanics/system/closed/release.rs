@@ -1,8 +1,8 @@
-//! What determines all loads where more is held than the motion needs: joints of kinds that hold less,
-//! links that are left out, and where these are not enough, directions that are let go.
+//! Changes that make all loads of an overconstrained system determined: joints of less restrictive
+//! kinds, links to leave out, and if these are not enough, directions to release.
 //!
-//! What is let go carries nothing. If the parts along it of the loads that balance each other are
-//! independent, and as many as these, none of them is left; and nothing moves that did not before.
+//! A released direction carries nothing. If the parts along it of the self-balancing loads are
+//! independent, and as many as these loads, none of them remains; and the motion is unchanged.
 
 use crate::mechanics::proofs::samples;
 use crate::model::{AXES, System, Workspace};
@@ -10,13 +10,13 @@ use crate::symbolic::{Components, Graph, Id, Residue};
 
 use super::unsettled::{Spare, Unsettled};
 
-/// So many joints are tried together.
+/// The limit of joints that are tried together.
 const MOST: usize = 3;
-/// Of no more ways to let go than this.
+/// The limit of ways to release.
 const FEW: usize = 60;
 
-/// A way to let go, and what is let go of: as many rows, or more that say the same, as directions, each
-/// with its part of all spare loads.
+/// A way to release, and the released directions: as many rows, or more equivalent ones, as
+/// directions, each with its part of all spare loads.
 struct Way<T> {
     holder: usize,
     said: String,
@@ -24,7 +24,7 @@ struct Way<T> {
     rows: Vec<Vec<T>>,
 }
 
-/// What a joint of another kind does not hold.
+/// The directions that a joint of another kind does not hold.
 #[derive(Clone, Copy)]
 enum Free {
     ForceAlong,
@@ -32,7 +32,7 @@ enum Free {
     Moment,
 }
 
-/// The kinds that hold less, each with the number of directions that it lets go.
+/// The less restrictive kinds, each with the number of released directions.
 fn instead(kind: &str, is_planar: bool) -> &'static [(&'static str, Free, usize)] {
     match (kind, is_planar) {
         ("revolute", false) => &[
@@ -49,8 +49,8 @@ fn instead(kind: &str, is_planar: bool) -> &'static [(&'static str, Free, usize)
     }
 }
 
-/// Ways to let go after which all loads are determined, in words: ``with `a` as `spherical` ``. Where
-/// these would be many, joints are left out as a whole.
+/// Ways to release after which all loads are determined, in words: ``with `a` as `spherical` ``. If
+/// there would be many, whole joints are left out.
 pub fn release(system: &System, work: &mut Workspace, unsettled: &Unsettled) -> String {
     let spare = &unsettled.spare;
     let ways = sampled(work, |graph| ways(graph, system, unsettled));
@@ -66,7 +66,7 @@ pub fn release(system: &System, work: &mut Workspace, unsettled: &Unsettled) -> 
     chosen.join(" and ")
 }
 
-/// The fewest ways, of different joints, that together leave nothing of so many spare loads.
+/// The fewest ways, for different joints, that together remove this many spare loads.
 fn fewest(ways: &[Way<Residue>], wanted: usize) -> Option<Vec<String>> {
     let (mut span, mut chosen) = (Span::default(), Vec::new());
     let is_found = ways.len() <= FEW
@@ -138,7 +138,7 @@ fn without_joints(system: &System, unsettled: &Unsettled) -> Vec<Way<Id>> {
     ways.collect()
 }
 
-/// A joint, as far as it matters here.
+/// A joint, as far as it is relevant here.
 struct Holder {
     name: String,
     kind: &'static str,

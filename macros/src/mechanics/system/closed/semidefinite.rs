@@ -1,9 +1,9 @@
-//! Equations that depend on each other, and agree: `S l = r`.
+//! Dependent but consistent equations: `S l = r`.
 
 use crate::symbolic::{Graph, Id};
 
-/// Equations whose matrix has no negative eigenvalue, group after group of this many rows and of this
-/// rank.
+/// Equations whose matrix has no negative eigenvalue, group after group with this many rows and
+/// this rank.
 pub struct Solver {
     pub steps: Vec<Step>,
 }

@@ -1,5 +1,5 @@
-//! The accelerations of a system that is held by more than the joints of its tree, and the loads that
-//! hold it.
+//! The accelerations of a system that is held by more than the joints of its tree, and its
+//! constraint loads.
 
 use std::collections::BTreeSet;
 
@@ -18,7 +18,7 @@ use super::eliminated::{Following, Found, eliminated};
 use super::in_plane::{Known, in_plane};
 use super::unsettled::{Keeper, Spare, Unsettled, bare};
 
-/// What is known of a system that is held so.
+/// The solution of such a system.
 pub struct Closed {
     /// Of the open freedoms, link by link.
     pub accelerations: Vec<Vec<Id>>,
@@ -31,8 +31,8 @@ pub struct Closed {
     pub follows: Vec<bool>,
     /// Of the mass matrix of the tree: what each freedom has alone.
     pub inertias: Vec<Id>,
-    /// Force and moment of each joint that closes a loop on what it carries, at its point there, world
-    /// axes.
+    /// Force and moment of each joint that closes a loop on what it carries, at its point there,
+    /// world axes.
     pub wrenches: Vec<[Components; 2]>,
     /// The load of each written constraint, for one unit of its gradient.
     pub loads: Vec<Id>,
@@ -46,14 +46,14 @@ pub struct Closed {
 }
 
 impl Closed {
-    /// What is found for all symbols that loads follow.
+    /// The solutions for all symbols on which loads depend.
     pub fn settled(&self) -> Vec<(Id, Id)> {
         [&self.values[..], &self.moved].concat()
     }
 }
 
-/// Finds all that keeps; what the tree is written like does not matter, but the origins of its links
-/// are at their joints. `motion` is how the state changes.
+/// Solves for all constraint loads. The form of the tree does not matter, but the origins of its
+/// links are at their joints. `motion` is the change of the state.
 pub fn close(
     system: &System,
     work: &mut Workspace,
@@ -162,7 +162,7 @@ pub fn close(
     }
 }
 
-/// All that is kept.
+/// All rows.
 fn keepers(
     system: &System,
     work: &mut Workspace,
@@ -182,7 +182,7 @@ fn keepers(
     kept
 }
 
-/// Block by block if that can be done, and is not dearer than to eliminate all together.
+/// Block by block if that is possible, and not more expensive than eliminating all together.
 fn found(
     system: &System,
     work: &mut Workspace,
@@ -209,8 +209,8 @@ fn found(
     }
 }
 
-/// With rows that depend on each other in closed states alone; nothing if there are none, or where loads
-/// follow those of constraints.
+/// With rows that depend on each other in closed states alone; none if there are no such rows, or
+/// if loads depend on those of constraints.
 fn where_closed(
     system: &System,
     work: &mut Workspace,
@@ -256,8 +256,8 @@ fn spare(
     spare
 }
 
-/// Force and moment of each joint that closes a loop, and the load of each written constraint, by the
-/// loads of all rows.
+/// Force and moment of each joint that closes a loop, and the load of each written constraint, by
+/// the loads of all rows.
 fn loads_of(
     system: &System,
     work: &mut Workspace,

@@ -1,4 +1,4 @@
-//! What keeps more than the motion needs: loads that the equations do not determine.
+//! Overconstrained systems: loads that the equations do not determine.
 
 use std::collections::BTreeSet;
 
@@ -10,7 +10,7 @@ use crate::symbolic::{Components, Elimination, Equation, Graph, Id};
 
 use super::super::constraints::{Ends, Placed, Row};
 
-/// What keeps a scalar at zero.
+/// The origin of a row.
 pub enum Keeper {
     /// A joint that closes a loop, by number: the force and moment of a unit of its load.
     Joint(usize, [Components; 2]),
@@ -18,23 +18,23 @@ pub enum Keeper {
     Written(usize),
 }
 
-/// What has loads that the equations do not determine, by number.
+/// The owners of loads that the equations do not determine, by index.
 #[derive(Default)]
 pub struct Unsettled {
     /// Loads that balance each other, and may be added to those that are found.
     pub spare: Vec<Spare>,
-    /// Written constraints that say nothing, or nothing new, each with the names of those it follows
+    /// Written constraints that are trivial, or redundant, each with the names of those it follows
     /// from.
     pub written: Vec<(usize, BTreeSet<String>)>,
-    /// Freedoms without inertia.
+    /// Coordinates without inertia.
     pub light: Vec<usize>,
-    /// The first axis of each joint that has one, world axes: of the tree, and then of those that close
-    /// loops. Known where loads are spare.
+    /// The first axis of each joint that has one, world axes: of the tree, and then of those that
+    /// close loops. Known where loads are spare.
     pub axes: Vec<Option<Components>>,
 }
 
-/// Loads that balance each other in all bodies: force and moment of each joint on what it carries, at
-/// its point there, world axes.
+/// Loads that balance each other in all bodies: force and moment of each joint on what it carries,
+/// at its point there, world axes.
 pub struct Spare {
     /// Of the joints that close loops.
     pub closings: Vec<[Components; 2]>,
@@ -130,8 +130,8 @@ impl Keeper {
         }
     }
 
-    /// Whether a row says nothing of accelerations. One of a joint that holds in all states, as those of
-    /// parallel axes in space do, has any load.
+    /// Whether a row says nothing of accelerations. One of a joint that holds in all states, as
+    /// those of parallel axes in space do, has any load.
     pub fn is_idle(&self, work: &Workspace, row: &Row) -> bool {
         let rest = [row.rate, row.bias].into_iter().chain(row.value);
         let mut parts = row.slopes.iter().copied();
@@ -190,8 +190,8 @@ pub fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
     open.collect()
 }
 
-/// Reports written constraints that say nothing, or nothing new; `followed` are the symbols of loads that
-/// others follow. A link may be one more than is needed, unless its tension matters.
+/// Reports written constraints that say nothing, or nothing new; `followed` are the symbols of
+/// loads that others follow. A link may be one more than is needed, unless its tension matters.
 pub fn check_kept(
     system: &System,
     work: &Workspace,

@@ -1,4 +1,4 @@
-//! Given loads that follow the load of a constraint, as friction does: they are linear in it.
+//! Given loads that depend on the load of a constraint, such as friction: they are linear in it.
 
 use crate::errors::Errors;
 use crate::mechanics::following::{LOAD, check_linear, check_parts, unknowns_in};
@@ -6,7 +6,7 @@ use crate::mechanics::tree::link::Tree;
 use crate::model::{System, Workspace};
 use crate::symbolic::{Graph, Id};
 
-/// Reports what follows the load of a constraint, or an acceleration, otherwise than linearly.
+/// Reports loads that depend on the load of a constraint, or on an acceleration, nonlinearly.
 pub fn check_followers(system: &System, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
     let before = errors.count();
     let loads = system.bodies.iter().flat_map(|body| &body.loads);
@@ -49,7 +49,7 @@ pub fn split(graph: &mut Graph, roots: &[Id], symbols: &[Id]) -> (Vec<Id>, Vec<V
     (without, slopes)
 }
 
-/// Puts the loads of constraints in the place of their symbols.
+/// Substitutes the loads of constraints for their symbols.
 pub fn replace_in_tree(graph: &mut Graph, tree: &mut Tree, values: &[(Id, Id)]) {
     if values.is_empty() {
         return;

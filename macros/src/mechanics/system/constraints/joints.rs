@@ -1,5 +1,5 @@
-//! What a joint that closes a loop holds: constraints between two links, each with its value, its
-//! rate, what it lacks of an acceleration, and its slopes by the rates of the joints.
+//! The rows of a joint that closes a loop: constraints between two links, each with its value, its
+//! rate, its missing acceleration, and its slopes by the rates of the joints.
 
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::turning::Turning;
@@ -12,13 +12,13 @@ use super::world::{Placed, Spot};
 /// One constraint of a joint.
 pub struct JointRow {
     pub row: Row,
-    /// What a unit of its load is on the carried body, at its point of the joint, world axes; on the
-    /// carrier the opposite, at the same place.
+    /// What a unit of its load is on the carried body, at its point of the joint, world axes; on
+    /// the carrier the opposite, at the same place.
     pub force: Components,
     pub moment: Components,
 }
 
-/// What a constraint holds.
+/// The kind of a constraint.
 #[derive(Clone, Copy)]
 enum Held {
     /// The point of the carried body, along a direction of the world.
@@ -35,7 +35,8 @@ enum Held {
 #[derive(Clone, Copy)]
 struct Thread {
     axis: Components,
-    /// A direction across the axis: of the carrier, and of the carried body where both are alike at zero.
+    /// A direction across the axis: of the carrier, and of the carried body where both are alike at
+    /// zero.
     across: [Components; 2],
     /// Metres per radian.
     pitch: Id,
@@ -70,7 +71,7 @@ pub fn rows(graph: &mut Graph, tree: &Tree, placed: &[Placed], ends: &Ends<'_>) 
     rows.collect()
 }
 
-/// What a joint holds, direction by direction.
+/// The directions that a joint holds, one by one.
 fn held(graph: &mut Graph, ends: &Ends<'_>) -> Vec<Held> {
     let closing = ends.closing;
     let units = graph.unit_vectors();
@@ -275,7 +276,8 @@ fn along(graph: &mut Graph, carrier: &Placed, spots: &[Spot; 2], e: Components) 
     [graph.dot(e, r), rate, bias]
 }
 
-/// The same, of which what the thread gives by turning is taken. The place is that but for whole turns:
+/// The same, of which what the thread gives by turning is taken. The place is that but for whole
+/// turns:
 ///
 /// ```text
 /// 2 p tan((x / p - angle) / 2)        p: pitch, x: the place along the axis
@@ -317,8 +319,8 @@ fn follow(
     [graph.multiply(twice, tangent), rate, bias]
 }
 
-/// The power of a force and a moment by the rate of each open freedom: on the carried body, and with
-/// the opposite sign on the carrier, each force at its place.
+/// The power of a force and a moment by the rate of each open freedom: on the carried body, and
+/// with the opposite sign on the carrier, each force at its place.
 fn slopes(
     graph: &mut Graph,
     tree: &Tree,

@@ -1,4 +1,4 @@
-//! What is kept beside the joints of the tree: joints that close loops, and written constraints.
+//! Constraints outside the tree: joints that close loops, and written constraints.
 
 mod followers;
 mod joints;

@@ -1,4 +1,5 @@
-//! How links move, in world axes, if no joint accelerates: what constraints between them are made of.
+//! The motion of links, in world axes, with zero joint accelerations, for the constraints between
+//! them.
 
 use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree::turning::Turning;

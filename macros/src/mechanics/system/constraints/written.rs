@@ -1,5 +1,5 @@
-//! Written constraints, of positions and of velocities, with the loads that keep them: of all loads with
-//! which a motion that the constraint allows has no power, those along its gradient.
+//! Written constraints, of positions and of velocities, with their loads: of all loads that do no
+//! work in a motion that the constraint allows, those along its gradient.
 
 use crate::mechanics::tree::Built;
 use crate::mechanics::tree::link::{Link, Tree};

@@ -1,5 +1,5 @@
-//! Absolute coordinates: of each open freedom that turns the angle of its link in the world, of the
-//! others what they are.
+//! Absolute coordinates: for each open rotational coordinate the angle of its link in the world,
+//! for the others the coordinate itself.
 
 use crate::mechanics::tree::link::{Freedom, Link, Tree};
 use crate::symbolic::{Graph, Id};

@@ -1,5 +1,5 @@
-//! The balances of absolute coordinates, `M x'' = f`: of each link by itself, whose origin has a column
-//! for each coordinate that moves it.
+//! The balances of absolute coordinates, `M x'' = f`: for each link separately, whose origin has a
+//! column for each coordinate that moves it.
 
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::regroup;

@@ -1,5 +1,5 @@
-//! Which joints carry: where loops are closed does not matter for absolute angles, and of short chains
-//! fewer links are coupled by their inertia.
+//! The choice of carrying joints: absolute angles do not depend on where loops are closed, and in
+//! short chains fewer links are coupled by their inertia.
 
 use crate::mechanics::tree::link::{Link, Tree};
 use crate::model::Part;

@@ -1,4 +1,4 @@
-//! What is kept, by absolute coordinates.
+//! Constraints in absolute coordinates.
 
 use crate::mechanics::tree::link::Tree;
 use crate::symbolic::{Components, Graph, Id};
@@ -8,8 +8,8 @@ use super::super::reduced::Held;
 use super::absolute::{Absolute, is_turn};
 use super::arms::{Arms, quarter_turn};
 
-/// What a link has to do with a loop: a vector in its axes, from where the loop enters it to where it
-/// leaves it.
+/// What a link has to do with a loop: a vector in its axes, from where the loop enters it to where
+/// it leaves it.
 struct Part {
     vector: Components,
     /// How often the loop passes through its joint, less how often it does so backwards.

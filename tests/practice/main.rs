@@ -2,6 +2,7 @@
 //!
 //! Fifteen things that engineers write, by their words; those that are examples or recipes are there, with what they assert.
 #![allow(missing_docs, reason = "tests")]
+#![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 mod car;
 mod driven_pivot;

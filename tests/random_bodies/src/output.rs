@@ -24,10 +24,11 @@ pub enum Output {
     UnknownMoment,
     ResidualForce,
     ResidualMoment,
+    Rate,
 }
 
 impl Output {
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::LinearAcceleration,
         Self::AngularAcceleration,
         Self::AxisAcceleration,
@@ -45,6 +46,7 @@ impl Output {
         Self::UnknownMoment,
         Self::ResidualForce,
         Self::ResidualMoment,
+        Self::Rate,
     ];
 
     /// Whether it is a moment, or has the direction of one.
@@ -81,6 +83,7 @@ impl fmt::Display for Output {
             Self::UnknownMoment => "unknown moment",
             Self::ResidualForce => "residual force",
             Self::ResidualMoment => "residual moment",
+            Self::Rate => "rate of a state",
         })
     }
 }
@@ -119,6 +122,10 @@ impl Answers {
 
     pub fn acceleration<S: Accelerated>(&mut self, _: &S, acceleration: &S::Acceleration) {
         S::tell(acceleration, self);
+    }
+
+    pub fn rate(&mut self, index: usize, rate: f64) {
+        self.tell(Output::Rate, index, &rate);
     }
 
     pub fn energy<B: Energy<Scalar = f64>>(

@@ -69,6 +69,11 @@ impl Survey {
                 ask(&given, &mut answers);
                 assert!(!answers.refused, "{} refuses {:?}", body.name, given.params);
                 let state = run * states::RUN + state;
+                if body.rates.is_empty() {
+                    self.compare(&body, index, state, &answers, &constants, &given);
+                    continue;
+                }
+                let constants = Constants::with_states(&body, given.params.clone(), &given.own);
                 self.compare(&body, index, state, &answers, &constants, &given);
             }
         }
@@ -120,7 +125,7 @@ impl Survey {
         for _ in 0..=wanted % states::RUN {
             states::draw(&mut random, &body, &mut given);
         }
-        let constants = Constants::new(&body, given.params.clone());
+        let constants = Constants::with_states(&body, given.params.clone(), &given.own);
         ask(&given, &mut answers);
         println!("{given:#?}");
         for (expected, (output, load, answer)) in expected(&constants, &given, &answers)

@@ -43,6 +43,20 @@ pub fn described(body: &Body, outputs: &[&str]) -> String {
             list(entries.map(|(i, input)| write.input(i, *input)).collect())
         ));
     }
+    if body.is_rich {
+        keys.push("constants: [constant = crate::given::CONSTANT]".to_owned());
+        keys.push(
+            "functions: [bump(x) = crate::given::bump.derivatives(crate::given::bump_slope)]"
+                .to_owned(),
+        );
+    }
+    if !body.rates.is_empty() {
+        let states = (0..body.rates.len()).map(|i| format!("state_{i}"));
+        keys.push(format!("states: {}", list(states.collect())));
+        let rates = body.rates.iter().enumerate();
+        let rates = rates.map(|(i, rate)| format!("state_{i} = {}", write.scalar(rate)));
+        keys.push(format!("rates: {}", list(rates.collect())));
+    }
     if let Some(mass) = &body.mass {
         keys.push(format!("mass: {}", write.scalar(mass)));
     }

@@ -44,6 +44,7 @@ pub struct Solved {
 /// Scalars that are made of literals and parameters.
 struct Early<'a> {
     params: &'a [f64],
+    own: &'a [f64],
     offsets: &'a [usize],
     mass: Option<Number>,
     near_switch: Cell<bool>,
@@ -53,6 +54,7 @@ impl Values for Early<'_> {
     fn scalar(&self, scalar: &Scalar) -> Number {
         match scalar {
             Scalar::Param(i) => Number::given(self.params[self.offsets[*i]]),
+            Scalar::State(i) => Number::given(self.own[*i]),
             Scalar::Mass => self.mass.expect("the mass is not made of itself"),
             other => self.operation(other),
         }
@@ -65,9 +67,15 @@ impl Values for Early<'_> {
 
 impl<'a> Constants<'a> {
     pub fn new(body: &'a Body, params: Vec<f64>) -> Self {
+        Self::with_states(body, params, &vec![0.0; body.rates.len()])
+    }
+
+    /// Of a body whose mass and inertia follow its own states.
+    pub fn with_states(body: &'a Body, params: Vec<f64>, own: &[f64]) -> Self {
         let (param_offsets, _) = body.param_offsets();
         let mut early = Early {
             params: &params,
+            own,
             offsets: &param_offsets,
             mass: None,
             near_switch: Cell::new(false),

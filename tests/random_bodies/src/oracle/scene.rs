@@ -79,6 +79,7 @@ impl Values for Scene<'_> {
                 Value::Scalar(number) => number,
                 Value::Vector(_) => unreachable!("a scalar"),
             },
+            Scalar::State(i) => Number::given(self.given.own[*i]),
             Scalar::Time => self.time,
             Scalar::Reaction(load, axis) => {
                 let known = self.reactions.get(*load);

@@ -39,6 +39,7 @@ fn answer(body: &Body) -> String {
         format!("let drives = body.inverse(given.time, &state, &motion, &input);\n{lines}")
     };
     let [state, accelerations, motion] = stated(body);
+    let own = body.rates.len();
     format!(
         "pub fn answer(given: &Given, answers: &mut Answers) {{
 {make}
@@ -51,7 +52,9 @@ answers.loads(&body.applied(given.time, &state, &input), &body.loads(given.time,
 {solve}
 {motion}
 answers.residual(&body.residual(given.time, &state, &motion, &reactions, &input));
-{invert}}}
+{invert}
+answers.linearization(&body.linearize(given.time, &state, &input).a(), {own});
+}}
 "
     )
 }

@@ -76,5 +76,7 @@ fn of_denser(factor: &Scalar, inertia: &mut Inertia) {
         }
         Inertia::Solid(..) | Inertia::Compose(_) => return,
     };
-    parts.iter_mut().for_each(|part| denser(factor, part));
+    for part in parts {
+        denser(factor, part);
+    }
 }

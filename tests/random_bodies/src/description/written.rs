@@ -14,7 +14,7 @@ pub fn description(body: &Body) -> String {
         let open = |load: &Load| load.is_open() && (load.key == Key::Reactions) == reactions;
         body.loads.iter().any(open)
     };
-    let mut outputs = vec!["energy", "momentum", "balance"];
+    let mut outputs = vec!["energy", "momentum", "balance", "linearization"];
     if of_reactions(true) {
         outputs.push("reactions");
     }

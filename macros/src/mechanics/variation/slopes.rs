@@ -28,7 +28,13 @@ pub struct Slopes {
 impl Slopes {
     /// Along all that moves.
     pub fn of(work: &mut Workspace, value: Id) -> Self {
-        let Leaves { symbols, turns } = Leaves::of(work, &[value]);
+        let leaves = Leaves::of(work, &[value]);
+        Self::of_leaves(work, value, leaves)
+    }
+
+    /// Along all that it is made of.
+    pub fn of_leaves(work: &mut Workspace, value: Id, leaves: Leaves) -> Self {
+        let Leaves { symbols, turns } = leaves;
         let turned = turns.iter().flat_map(|turn| turn.turned);
         let turned = turned.filter(|id| !work.graph.is_early(*id));
         let leaves = symbols.into_iter().chain(turned).collect();

@@ -1,4 +1,4 @@
-//! Norms that are zero: quadratic drag at rest, whose slopes are zero there.
+//! Norms that are zero: quadratic drag at rest, whose slopes are zero there; and turned vectors whose components are equal.
 
 use nalgebra::{Matrix3, Vector3};
 use newton_euler::prelude::*;
@@ -63,4 +63,45 @@ fn hovers_in_still_air() {
 fn what_is_divided_by_stays_a_divisor() {
     let found = Rubbing::default().linearize(0.0, &Translation::default(), &());
     assert!(found.a().iter().any(|entry| !entry.is_finite()));
+}
+
+rigid_system!(Slanted {
+    doc: "A turn by 45 degrees makes two components of the angular velocity of the arm equal, which are one term then.",
+    bodies: [
+        arm {
+            mass: 1.7[kg],
+            inertia: sphere(0.4[m]),
+        },
+        slider {
+            mass: 2.9[kg],
+            inertia: principal(0.9, 0.95, 0.4)[kg * m ^ 2],
+        },
+    ],
+    joints: [
+        turn = revolute(world(0, 0, 0), arm.G, body(1, 0, 0)),
+        slide = prismatic(arm.G, slider.G, body(1, -1, -2)).turned(body(0, 1, 0), 45[deg]),
+    ],
+    outputs: [linearization],
+});
+
+#[test]
+fn equal_components_count_once() {
+    let slanted = Slanted::default();
+    let at = |by: f64| SlantedState {
+        turn: Hinge {
+            angle: 0.3,
+            angular_velocity: 1.3 + by,
+        },
+        slide: Slide {
+            position: 0.7,
+            velocity: 0.9,
+        },
+    };
+    let found = slanted.linearize(0.0, &at(0.0), &()).a();
+    // the accelerations are quadratic in the rate: this difference is exact
+    let [after, before] = [0.5, -0.5].map(|by| slanted.acceleration(0.0, &at(by), &()));
+    let known = [after.turn - before.turn, after.slide - before.slide];
+    for (row, known) in [2, 3].into_iter().zip(known) {
+        assert!((found[(row, 2)] - known).abs() < 1e-13, "{found} {known}");
+    }
 }

@@ -70,7 +70,13 @@ impl Slopes {
 
     /// The slope along a turned vector, which all that is made of it has been passed on to.
     pub fn take(&mut self, work: &Workspace, turn: &Turn) -> Components {
-        let slope = self.by(work, turn.turned);
+        let mut slope = self.by(work, turn.turned);
+        // components that are equal are one leaf
+        for place in 1..3 {
+            if turn.turned[..place].contains(&turn.turned[place]) {
+                slope[place] = work.graph.zero();
+            }
+        }
         self.by_leaf.retain(|leaf, _| !turn.turned.contains(leaf));
         slope
     }

@@ -39,26 +39,10 @@ rigid_body!(Auv {
         // the rates of both in body axes
         a = (acceleration - angular_velocity.cross(velocity)).in_body(),
         e = angular_acceleration.in_body(),
-        p = body(
-            surge * v.x,
-            sway * v.y - across * w.z,
-            sway * v.z + across * w.y
-        ),
-        l = body(
-            roll * w.x,
-            yaw * w.y + across * v.z,
-            yaw * w.z - across * v.y
-        ),
-        p_rate = body(
-            surge * a.x,
-            sway * a.y - across * e.z,
-            sway * a.z + across * e.y
-        ),
-        l_rate = body(
-            roll * e.x,
-            yaw * e.y + across * a.z,
-            yaw * e.z - across * a.y
-        ),
+        p = body(surge * v.x, 0, 0) + sway * body(0, v.y, v.z) + across * body(0, -w.z, w.y),
+        l = body(roll * w.x, 0, 0) + yaw * body(0, w.y, w.z) + across * body(0, v.z, -v.y),
+        p_rate = body(surge * a.x, 0, 0) + sway * body(0, a.y, a.z) + across * body(0, -e.z, e.y),
+        l_rate = body(roll * e.x, 0, 0) + yaw * body(0, e.y, e.z) + across * body(0, a.z, -a.y),
     ],
     forces: [
         propeller = body(thrust, 0, 0),

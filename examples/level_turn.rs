@@ -32,12 +32,9 @@ rigid_body!(Navion {
         lift = 0.41 + 4.44 * alpha + 0.355 * elevator,
         drag = 0.05 + 0.33 * alpha,
         side = -0.564 * beta + 0.157 * rudder,
-        air = load
-            * body(
-                lift * alpha.sin() - drag * alpha.cos(),
-                side,
-                -lift * alpha.cos() - drag * alpha.sin()
-            ),
+        along = lift * alpha.sin() - drag * alpha.cos(),
+        down = -lift * alpha.cos() - drag * alpha.sin(),
+        air = load * body(along, side, down),
         // the rate of the angle of attack, from the forces
         acceleration_of_air = (air + body(thrust, 0, 0)) / mass + world(0, 0, 9.80665[m / s ^ 2])
             - angular_velocity.cross(velocity),

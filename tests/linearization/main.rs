@@ -9,6 +9,7 @@ mod level_turn;
 mod modes;
 mod oracle;
 mod own;
+mod rest;
 mod sensitivity;
 mod systems;
 mod trim;

@@ -111,6 +111,7 @@ impl Source {
             instant: Instant {
                 time: Wide::ZERO,
                 state: vec![Wide::ZERO; layout.len()],
+                own: Vec::new(),
             },
         };
         self.time(&mut sample);

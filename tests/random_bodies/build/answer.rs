@@ -38,21 +38,56 @@ fn answer(body: &Body) -> String {
         let lines = tell(&drives, "drives");
         format!("let drives = body.inverse(given.time, &state, &motion, &input);\n{lines}")
     };
+    let [state, accelerations, motion] = stated(body);
+    let own = body.rates.len();
     format!(
         "pub fn answer(given: &Given, answers: &mut Answers) {{
 {make}
 {input}
-let state = state(given);
-answers.acceleration(&state, &body.acceleration(given.time, &state, &input));
+{state}
+{accelerations}
 answers.energy(&body, given.time, &state, &input);
 answers.momentum(&body, given.time, &state);
 answers.loads(&body.applied(given.time, &state, &input), &body.loads(given.time, &state, &input));
 {solve}
-let motion = motion(given);
+{motion}
 answers.residual(&body.residual(given.time, &state, &motion, &reactions, &input));
-{invert}}}
+{invert}
+answers.linearization(&body.linearize(given.time, &state, &input).a(), {own});
+}}
 "
     )
+}
+
+/// The lines that make `state`, tell accelerations, and make `motion`.
+fn stated(body: &Body) -> [String; 3] {
+    let name = &body.name;
+    if body.rates.is_empty() {
+        return [
+            "let state = state(given);",
+            "answers.acceleration(&state, &body.acceleration(given.time, &state, &input));",
+            "let motion = motion(given);",
+        ]
+        .map(str::to_owned);
+    }
+    let count = body.rates.len();
+    let fields = |value: &dyn Fn(usize) -> String| {
+        let fields = (0..count).map(|i| format!("state_{i}: {}", value(i)));
+        fields.collect::<Vec<_>>().join(", ")
+    };
+    let own = fields(&|i| format!("given.own[{i}]"));
+    let still = fields(&|_| "0.0".to_owned());
+    let rates: String = (0..count)
+        .map(|i| format!("answers.rate({i}, found.state_{i});\n"))
+        .collect();
+    [
+        format!("let state = {name}State {{ motion: state(given), {own} }};"),
+        format!(
+            "let found = body.acceleration(given.time, &state, &input);\n\
+             answers.acceleration(&state.motion, &found.motion);\n{rates}"
+        ),
+        format!("let motion = {name}Acceleration {{ motion: motion(given), {still} }};"),
+    ]
 }
 
 /// The lines that make `body` and `input`.
@@ -86,7 +121,9 @@ pub fn constructed(body: &Body, refused: &str) -> (String, String) {
         .iter()
         .map(|input| matches!(input, Input::Vector(_)));
     let inputs = fields("input", inputs.collect(), "given.inputs");
-    let make = if body.params.is_empty() {
+    let make = if body.params.is_empty() && body.is_rich {
+        format!("let Ok(body) = {name}::new() else {{ {refused} }};")
+    } else if body.params.is_empty() {
         format!("let body = {name}::default();")
     } else {
         format!("let Ok(body) = {name}::new({name}Params {{ {params} }}) else {{ {refused} }};")

@@ -11,8 +11,26 @@ pub struct Given {
     pub inputs: Vec<f64>,
     /// The coordinates of the state.
     pub state: Vec<f64>,
+    /// The states of one's own.
+    pub own: Vec<f64>,
     /// An acceleration, to ask for the residual in it.
     pub motion: Vec<f64>,
+}
+
+/// Of the descriptions with constants.
+#[allow(dead_code, reason = "descriptions alone name it")]
+pub const CONSTANT: f64 = 0.732_421_875;
+
+/// Of those with functions.
+#[allow(dead_code, reason = "descriptions alone name it")]
+pub fn bump(x: f64) -> f64 {
+    x / (1.0 + x * x)
+}
+
+#[allow(dead_code, reason = "descriptions alone name it")]
+pub fn bump_slope(x: f64) -> f64 {
+    let square = x * x;
+    (1.0 - square) / ((1.0 + square) * (1.0 + square))
 }
 
 /// The state in the body's own type.

@@ -114,8 +114,9 @@ mod tests {
         }
         println!("{survey}");
         // few states are left out, and fewer answers
-        assert!(survey.near_switches < survey.evaluations / 10);
+        assert!(survey.near_switches < survey.evaluations / 8);
         assert!(survey.undefined < survey.evaluations / 1000);
+        assert!(survey.wrong.is_empty() && survey.undecided < survey.derivatives / 10);
         for (output, record) in output::Output::ALL.iter().zip(&survey.records) {
             assert!(record.error <= BOUND, "{output}: {record:?}");
         }

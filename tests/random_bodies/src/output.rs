@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use nalgebra::{Vector2, Vector3};
+use nalgebra::{SMatrix, Vector2, Vector3};
 use newton_euler::prelude::*;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -24,10 +24,11 @@ pub enum Output {
     UnknownMoment,
     ResidualForce,
     ResidualMoment,
+    Rate,
 }
 
 impl Output {
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::LinearAcceleration,
         Self::AngularAcceleration,
         Self::AxisAcceleration,
@@ -45,6 +46,7 @@ impl Output {
         Self::UnknownMoment,
         Self::ResidualForce,
         Self::ResidualMoment,
+        Self::Rate,
     ];
 
     /// Whether it is a moment, or has the direction of one.
@@ -81,6 +83,7 @@ impl fmt::Display for Output {
             Self::UnknownMoment => "unknown moment",
             Self::ResidualForce => "residual force",
             Self::ResidualMoment => "residual moment",
+            Self::Rate => "rate of a state",
         })
     }
 }
@@ -89,6 +92,8 @@ impl fmt::Display for Output {
 #[derive(Debug, Default)]
 pub struct Answers {
     pub list: Vec<(Output, usize, [f64; 3])>,
+    /// The rows of the accelerations and of the rates in a linearisation, by columns of the state.
+    pub derivatives: Vec<Vec<f64>>,
     /// Whether `new` refused the parameters.
     pub refused: bool,
 }
@@ -96,6 +101,7 @@ pub struct Answers {
 impl Answers {
     pub fn clear(&mut self) {
         self.list.clear();
+        self.derivatives.clear();
         self.refused = false;
     }
 
@@ -119,6 +125,16 @@ impl Answers {
 
     pub fn acceleration<S: Accelerated>(&mut self, _: &S, acceleration: &S::Acceleration) {
         S::tell(acceleration, self);
+    }
+
+    pub fn linearization<const N: usize>(&mut self, a: &SMatrix<f64, N, N>, own: usize) {
+        let first = (N - own) / 2;
+        let rows = (first..N).map(|row| a.row(row).iter().copied().collect());
+        self.derivatives = rows.collect();
+    }
+
+    pub fn rate(&mut self, index: usize, rate: f64) {
+        self.tell(Output::Rate, index, &rate);
     }
 
     pub fn energy<B: Energy<Scalar = f64>>(

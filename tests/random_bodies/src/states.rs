@@ -31,6 +31,9 @@ pub fn draw(random: &mut Rng, body: &Body, given: &mut Given) {
         .motion
         .extend((0..body.freedoms()).map(|_| number(random, 10.0)));
 
+    given.own.clear();
+    let own = body.rates.iter().map(|_| number(random, 1.0));
+    given.own.extend(own);
     let state = &mut given.state;
     state.clear();
     match body.motion {

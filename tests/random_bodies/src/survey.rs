@@ -6,6 +6,7 @@ use std::ops::Range;
 use crate::description::body::Body;
 use crate::description::draw;
 use crate::given::Given;
+use crate::oracle::linearized::{self, Entry};
 use crate::oracle::{Constants, Expected, expected};
 use crate::output::{Answers, Output};
 use crate::states;
@@ -36,6 +37,10 @@ pub struct Survey {
     pub undefined: u64,
     /// Products of the norms of inertia and its inverse: the largest.
     pub condition: f64,
+    /// Entries of linearisations, those that differences do not decide, and those that differ.
+    pub derivatives: u64,
+    pub undecided: u64,
+    pub wrong: Vec<String>,
     pub records: [Record; Output::ALL.len()],
 }
 
@@ -69,6 +74,11 @@ impl Survey {
                 ask(&given, &mut answers);
                 assert!(!answers.refused, "{} refuses {:?}", body.name, given.params);
                 let state = run * states::RUN + state;
+                if body.rates.is_empty() {
+                    self.compare(&body, index, state, &answers, &constants, &given);
+                    continue;
+                }
+                let constants = Constants::now(&body, &given);
                 self.compare(&body, index, state, &answers, &constants, &given);
             }
         }
@@ -88,6 +98,10 @@ impl Survey {
             return;
         };
         self.evaluations += 1;
+        // differences take hundreds of evaluations
+        if state.is_multiple_of(16) {
+            self.linearized(body, (index, state), answers, given);
+        }
         let asked: Vec<(Output, usize)> = answers
             .list
             .iter()
@@ -110,6 +124,34 @@ impl Survey {
         }
     }
 
+    fn linearized(&mut self, body: &Body, place: (usize, usize), answers: &Answers, given: &Given) {
+        let entries = linearized::derivatives(body, given).unwrap_or_default();
+        // what cancels is left by this much of the largest
+        let sizes = entries.iter().map(|entry| entry.value.high.abs());
+        let largest = sizes.fold(0.0, f64::max);
+        for entry in entries {
+            let Entry {
+                row,
+                column,
+                value,
+                doubt,
+            } = entry;
+            let found = answers.derivatives[row][column];
+            let (off, size) = ((value - found.into()).high.abs(), value.high.abs());
+            self.derivatives += 1;
+            let is_right = off <= 1e-8 * size + 1e-12 * (1.0 + largest);
+            if !doubt.is_finite() || doubt > 1e-9 * size + 1e-13 * (1.0 + largest) {
+                self.undecided += 1;
+            } else if !is_right {
+                let (index, state) = place;
+                let known = value.high;
+                self.wrong.push(format!(
+                    "body {index}, state {state}: row {row}, column {column} is {found:e}, not {known:e} (+- {doubt:e})"
+                ));
+            }
+        }
+    }
+
     /// One state of a body, with all answers beside what they should be.
     pub fn show(seed: u64, index: usize, ask: Ask, wanted: usize) {
         let body = draw::body(seed, index);
@@ -120,7 +162,7 @@ impl Survey {
         for _ in 0..=wanted % states::RUN {
             states::draw(&mut random, &body, &mut given);
         }
-        let constants = Constants::new(&body, given.params.clone());
+        let constants = Constants::now(&body, &given);
         ask(&given, &mut answers);
         println!("{given:#?}");
         for (expected, (output, load, answer)) in expected(&constants, &given, &answers)
@@ -194,8 +236,19 @@ impl fmt::Display for Survey {
             near_switches,
             undefined,
             condition,
+            derivatives,
+            undecided,
+            wrong,
             ..
         } = self;
+        for wrong in wrong {
+            writeln!(f, "{wrong}")?;
+        }
+        writeln!(
+            f,
+            "{derivatives} entries of linearisations; {undecided} undecided, {} wrong",
+            wrong.len()
+        )?;
         writeln!(
             f,
             "\n{evaluations} evaluations; {near_switches} states near a switch; {undefined} answers without a number; condition of inertia up to {condition:.0}"

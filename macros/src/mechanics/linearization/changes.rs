@@ -40,9 +40,12 @@ pub fn changes(
     directions: &Directions,
     mut finish: impl FnMut(&mut Workspace, Vec<Id>) -> Vec<Id>,
 ) -> Changes {
-    let slopes = roots.iter().map(|root| Slopes::of(work, *root));
+    let slopes = roots.iter().map(|root| {
+        let (leaves, level) = Leaves::with_level_norms(work, &[*root]);
+        Slopes::of_leaves(work, level[0], leaves)
+    });
     let slopes: Vec<Slopes> = slopes.collect();
-    let leaves = Leaves::of(work, roots);
+    let (leaves, roots) = Leaves::with_level_norms(work, roots);
     let mut all = |work: &mut Workspace, along: &dyn Fn(&mut Workspace, &Direction) -> Vec<Id>| {
         let groups = directions.iter().map(|(column, directions)| {
             let changes = directions.iter().map(|direction| {
@@ -58,7 +61,7 @@ pub fn changes(
         slopes.map(|slopes| slopes.along(work, direction)).collect()
     });
     let forwards = all(work, &|work, direction| {
-        variation::changes(work, roots, &leaves, direction)
+        variation::changes(work, &roots, &leaves, direction)
     });
     let cost = |changes: &Changes| {
         let entries = changes.iter().flat_map(|(_, changes)| changes.concat());

@@ -46,4 +46,18 @@ impl Leaves {
         turns.dedup();
         Self { symbols, turns }
     }
+
+    /// The same, and the roots, with norms that are level where they are zero.
+    pub fn with_level_norms(work: &mut Workspace, roots: &[Id]) -> (Self, Vec<Id>) {
+        let Self { symbols, mut turns } = Self::of(work, roots);
+        let turned = turns.iter().flat_map(|turn| turn.turned);
+        let unseen: HashSet<Id> = symbols.iter().copied().chain(turned).collect();
+        let mut level = |roots: &[Id]| work.graph.level_norms(roots, |id| unseen.contains(&id));
+        for turn in &mut turns {
+            let vector = level(&turn.vector);
+            turn.vector = [vector[0], vector[1], vector[2]];
+        }
+        let roots = level(roots);
+        (Self { symbols, turns }, roots)
+    }
 }

@@ -28,7 +28,13 @@ pub struct Slopes {
 impl Slopes {
     /// Along all that moves.
     pub fn of(work: &mut Workspace, value: Id) -> Self {
-        let Leaves { symbols, turns } = Leaves::of(work, &[value]);
+        let leaves = Leaves::of(work, &[value]);
+        Self::of_leaves(work, value, leaves)
+    }
+
+    /// Along all that it is made of.
+    pub fn of_leaves(work: &mut Workspace, value: Id, leaves: Leaves) -> Self {
+        let Leaves { symbols, turns } = leaves;
         let turned = turns.iter().flat_map(|turn| turn.turned);
         let turned = turned.filter(|id| !work.graph.is_early(*id));
         let leaves = symbols.into_iter().chain(turned).collect();
@@ -64,7 +70,13 @@ impl Slopes {
 
     /// The slope along a turned vector, which all that is made of it has been passed on to.
     pub fn take(&mut self, work: &Workspace, turn: &Turn) -> Components {
-        let slope = self.by(work, turn.turned);
+        let mut slope = self.by(work, turn.turned);
+        // components that are equal are one leaf
+        for place in 1..3 {
+            if turn.turned[..place].contains(&turn.turned[place]) {
+                slope[place] = work.graph.zero();
+            }
+        }
         self.by_leaf.retain(|leaf, _| !turn.turned.contains(leaf));
         slope
     }

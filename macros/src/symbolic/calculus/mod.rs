@@ -2,3 +2,4 @@
 
 mod derivative;
 mod gradient;
+mod norms;

@@ -45,6 +45,11 @@ impl Graph {
         }
     }
 
+    /// Whether it is no less than zero by its form, and may be zero: as a sum of squares.
+    pub fn may_touch_zero(&self, a: Id) -> bool {
+        self.sign(a) == Sign::NotNegative
+    }
+
     fn sign(&self, a: Id) -> Sign {
         let mut signs: HashMap<Id, Sign> = HashMap::new();
         for id in self.reachable(&[a], |id| !matches!(self.node(id), Node::Positive(_))) {

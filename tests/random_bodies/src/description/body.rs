@@ -9,6 +9,10 @@ pub struct Body {
     pub motion: Motion,
     pub params: Vec<Param>,
     pub inputs: Vec<Input>,
+    /// States of one's own, by their rates.
+    pub rates: Vec<Scalar>,
+    /// Whether it has constants and functions of Rust, states of its own and tables.
+    pub is_rich: bool,
     /// Absent beside `compose`, and where G does not move.
     pub mass: Option<Scalar>,
     pub inertia: Option<Inertia>,

@@ -24,10 +24,12 @@ pub fn body(seed: u64, index: usize) -> Body {
     draw.scales();
     draw.motion();
     draw.params_and_inputs();
+    draw.own_states(index);
     draw.points();
     draw.mass_and_inertia();
     draw.locals();
     draw.loads();
+    draw.own_rates();
     draw.pole();
     draw.body
 }
@@ -53,6 +55,8 @@ impl Draw {
                 motion: Motion::Spatial,
                 params: Vec::new(),
                 inputs: Vec::new(),
+                rates: Vec::new(),
+                is_rich: false,
                 mass: None,
                 inertia: None,
                 points: Vec::new(),

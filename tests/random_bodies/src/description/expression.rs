@@ -14,6 +14,14 @@ pub enum Scalar {
     Param(usize),
     Input(usize),
     Local(usize),
+    /// A state of one's own.
+    State(usize),
+    /// A constant of Rust.
+    Constant,
+    /// A function of Rust.
+    Called(Box<Scalar>),
+    /// A table at a scalar: places and values, and whether it goes on beyond them.
+    Table(Box<Scalar>, Vec<[Literal; 2]>, bool),
     Time,
     Mass,
     /// In the plane.

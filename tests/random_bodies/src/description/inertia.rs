@@ -21,6 +21,9 @@ impl Draw {
                 _ => self.in_space(),
             });
         }
+        if self.body.is_rich {
+            self.changing();
+        }
     }
 
     /// With a parameter, that is changed by a twentieth at most, or without.

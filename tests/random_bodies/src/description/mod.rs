@@ -10,5 +10,6 @@ pub mod literal;
 pub mod loads;
 pub mod moving;
 pub mod reactions;
+mod rich;
 pub mod terms;
 pub mod written;

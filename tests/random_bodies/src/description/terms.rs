@@ -11,6 +11,10 @@ impl Draw {
             return self.scalar_leaf();
         }
         let next = |draw: &mut Self| draw.scalar(depth - 1);
+        if self.body.is_rich && self.chance(0.1) {
+            let inner = next(self);
+            return self.rich(inner);
+        }
         match self.random.u32(..10) {
             0 => next(self) + next(self),
             1 => next(self) - next(self),
@@ -36,6 +40,9 @@ impl Draw {
     }
 
     fn scalar_leaf(&mut self) -> Scalar {
+        if self.body.is_rich && self.chance(0.2) {
+            return self.rich_leaf();
+        }
         let number = Scalar::Literal(self.signed(-1));
         match self.random.u32(..9) {
             0 => self.scalar_param().unwrap_or(number),

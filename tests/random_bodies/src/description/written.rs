@@ -14,7 +14,7 @@ pub fn description(body: &Body) -> String {
         let open = |load: &Load| load.is_open() && (load.key == Key::Reactions) == reactions;
         body.loads.iter().any(open)
     };
-    let mut outputs = vec!["energy", "momentum", "balance"];
+    let mut outputs = vec!["energy", "momentum", "balance", "linearization"];
     if of_reactions(true) {
         outputs.push("reactions");
     }
@@ -42,6 +42,20 @@ pub fn described(body: &Body, outputs: &[&str]) -> String {
             "inputs: {}",
             list(entries.map(|(i, input)| write.input(i, *input)).collect())
         ));
+    }
+    if body.is_rich {
+        keys.push("constants: [constant = crate::given::CONSTANT]".to_owned());
+        keys.push(
+            "functions: [bump(x) = crate::given::bump.derivatives(crate::given::bump_slope)]"
+                .to_owned(),
+        );
+    }
+    if !body.rates.is_empty() {
+        let states = (0..body.rates.len()).map(|i| format!("state_{i}"));
+        keys.push(format!("states: {}", list(states.collect())));
+        let rates = body.rates.iter().enumerate();
+        let rates = rates.map(|(i, rate)| format!("state_{i} = {}", write.scalar(rate)));
+        keys.push(format!("rates: {}", list(rates.collect())));
     }
     if let Some(mass) = &body.mass {
         keys.push(format!("mass: {}", write.scalar(mass)));

@@ -4,6 +4,7 @@ use std::cell::Cell;
 
 use crate::description::body::{Body, Motion};
 use crate::description::expression::{Axes, Place, Scalar};
+use crate::given::Given;
 use crate::wide::Wide;
 
 use super::arithmetic::Values;
@@ -44,6 +45,7 @@ pub struct Solved {
 /// Scalars that are made of literals and parameters.
 struct Early<'a> {
     params: &'a [f64],
+    own: &'a [Wide],
     offsets: &'a [usize],
     mass: Option<Number>,
     near_switch: Cell<bool>,
@@ -53,6 +55,7 @@ impl Values for Early<'_> {
     fn scalar(&self, scalar: &Scalar) -> Number {
         match scalar {
             Scalar::Param(i) => Number::given(self.params[self.offsets[*i]]),
+            Scalar::State(i) => Number::exactly(self.own[*i]),
             Scalar::Mass => self.mass.expect("the mass is not made of itself"),
             other => self.operation(other),
         }
@@ -65,9 +68,21 @@ impl Values for Early<'_> {
 
 impl<'a> Constants<'a> {
     pub fn new(body: &'a Body, params: Vec<f64>) -> Self {
+        Self::with_states(body, params, &vec![Wide::ZERO; body.rates.len()])
+    }
+
+    /// In a state.
+    pub fn now(body: &'a Body, given: &Given) -> Self {
+        let own: Vec<Wide> = given.own.iter().map(|x| Wide::from(*x)).collect();
+        Self::with_states(body, given.params.clone(), &own)
+    }
+
+    /// Of a body whose mass and inertia follow its own states.
+    pub fn with_states(body: &'a Body, params: Vec<f64>, own: &[Wide]) -> Self {
         let (param_offsets, _) = body.param_offsets();
         let mut early = Early {
             params: &params,
+            own,
             offsets: &param_offsets,
             mass: None,
             near_switch: Cell::new(false),

@@ -5,6 +5,7 @@ use crate::description::expression::Axes;
 use crate::given::Given;
 use crate::output::{Answers, Output};
 
+use super::arithmetic::Values as _;
 use super::constants::Constants;
 use super::inertia::sum;
 use super::law::{Motions, acceleration, given_motion, inertial, kinetic_energy, spin, without};
@@ -44,6 +45,9 @@ pub fn expected(
     };
 
     list.acceleration(&motions);
+    for (index, rate) in constants.body.rates.iter().enumerate() {
+        list.tell(Output::Rate, index, Vector::scalar(scene.scalar(rate)));
+    }
     list.scalar(Output::KineticEnergy, kinetic_energy(&scene));
     list.scalar(Output::PotentialEnergy, sum(each().map(|load| load.energy)));
     list.momenta();

@@ -170,9 +170,13 @@ fn is_constant(scene: &Scene<'_>, scalar: &Scalar) -> bool {
         in_axes(Axes::World) || in_axes(Axes::Body)
     };
     match scalar {
-        Scalar::Literal(_) | Scalar::Param(_) | Scalar::Input(_) | Scalar::Time | Scalar::Mass => {
-            true
-        }
+        Scalar::Literal(_)
+        | Scalar::Param(_)
+        | Scalar::Input(_)
+        | Scalar::State(_)
+        | Scalar::Constant
+        | Scalar::Time
+        | Scalar::Mass => true,
         Scalar::Local(i) => match &scene.constants.body.locals[*i] {
             Local::Scalar(scalar) => constant(scalar),
             Local::Vector(_) => false,
@@ -182,7 +186,11 @@ fn is_constant(scene: &Scene<'_>, scalar: &Scalar) -> bool {
         Scalar::Dot(a, b) => fixed(&[a, b]),
         // whatever these are, nothing is left
         Scalar::PlaneCross(a, b) => is_parallel(scene, a, b) || fixed(&[a, b]),
-        Scalar::Negative(a) | Scalar::Unary(_, a) | Scalar::Power(a, _) => constant(a),
+        Scalar::Negative(a)
+        | Scalar::Unary(_, a)
+        | Scalar::Power(a, _)
+        | Scalar::Called(a)
+        | Scalar::Table(a, ..) => constant(a),
         Scalar::Sum(a, b)
         | Scalar::Difference(a, b)
         | Scalar::Product(a, b)

@@ -10,6 +10,8 @@ pub mod differences;
 mod expected;
 mod inertia;
 pub mod law;
+#[allow(dead_code, reason = "asked for by random bodies alone")]
+pub mod linearized;
 pub mod loads;
 pub mod number;
 mod potentials;

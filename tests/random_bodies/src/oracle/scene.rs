@@ -18,6 +18,8 @@ use super::vector::{Vector, dot};
 pub struct Instant {
     pub time: Wide,
     pub state: Vec<Wide>,
+    /// The states of one's own.
+    pub own: Vec<Wide>,
 }
 
 impl Instant {
@@ -25,6 +27,7 @@ impl Instant {
         Self {
             time: given.time.into(),
             state: given.state.iter().map(|x| Wide::from(*x)).collect(),
+            own: given.own.iter().map(|x| Wide::from(*x)).collect(),
         }
     }
 
@@ -39,6 +42,7 @@ pub struct Scene<'a> {
     pub constants: &'a Constants<'a>,
     given: &'a Given,
     time: Number,
+    own: Vec<Wide>,
     frame: Frame,
     attitude: [Number; 4],
     pub angle: Number,
@@ -79,6 +83,7 @@ impl Values for Scene<'_> {
                 Value::Scalar(number) => number,
                 Value::Vector(_) => unreachable!("a scalar"),
             },
+            Scalar::State(i) => Number::exactly(self.own[*i]),
             Scalar::Time => self.time,
             Scalar::Reaction(load, axis) => {
                 let known = self.reactions.get(*load);
@@ -122,6 +127,7 @@ impl<'a> Scene<'a> {
             constants,
             given,
             time: Number::exactly(instant.time),
+            own: instant.own.clone(),
             frame: Frame::Fixed,
             attitude: [Number::ZERO; 4],
             angle: Number::ZERO,

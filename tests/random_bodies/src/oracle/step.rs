@@ -54,7 +54,14 @@ impl Step {
                 add(10, &self.turning);
                 turn(&mut state[3..7], self.attitude);
             }
-            _ => unreachable!("constraints beside a support"),
+            Motion::Pivot(_) | Motion::FixedAxis(..) => {
+                add(0, &self.attitude[2..]);
+                add(1, &self.turning[2..]);
+            }
+            Motion::Rotation | Motion::FixedPoint(_) => {
+                add(4, &self.turning);
+                turn(&mut state[..4], self.attitude);
+            }
         }
         instant
     }

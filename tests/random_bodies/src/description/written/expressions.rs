@@ -14,6 +14,8 @@ impl Writer<'_> {
             Scalar::Param(_)
             | Scalar::Input(_)
             | Scalar::Local(_)
+            | Scalar::State(_)
+            | Scalar::Constant
             | Scalar::Time
             | Scalar::Mass => text,
             _ => format!("({text})"),
@@ -29,6 +31,18 @@ impl Writer<'_> {
             Scalar::Param(i) => format!("param_{i}"),
             Scalar::Input(i) => format!("input_{i}"),
             Scalar::Local(i) => format!("local_{i}"),
+            Scalar::State(i) => format!("state_{i}"),
+            Scalar::Constant => "constant".to_owned(),
+            Scalar::Called(a) => format!("bump({})", self.scalar(a)),
+            Scalar::Table(a, rows, goes_on) => {
+                let column = |i: usize| {
+                    let column = rows.iter().map(|row| row[i].text.as_str());
+                    column.collect::<Vec<_>>().join(", ")
+                };
+                let word = if *goes_on { ", extrapolated" } else { "" };
+                let [places, values] = [column(0), column(1)];
+                format!("table({}, [{places}], [{values}]{word})", self.scalar(a))
+            }
             Scalar::Time => "t".to_owned(),
             Scalar::Mass => "mass".to_owned(),
             Scalar::Reaction(load, axis) => {

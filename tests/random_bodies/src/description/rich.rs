@@ -1,0 +1,82 @@
+//! States of one's own, constants and functions of Rust, tables, and mass that changes.
+
+use super::body::Inertia;
+use super::draw::Draw;
+use super::expression::Scalar;
+use super::literal::Literal;
+
+impl Draw {
+    /// One body out of three has them.
+    pub fn own_states(&mut self, index: usize) {
+        self.body.is_rich = index % 3 == 2;
+        if self.body.is_rich {
+            let count = self.random.usize(..=2);
+            self.body.rates = vec![Scalar::zero(); count];
+        }
+    }
+
+    /// What the states change by, which may follow all else.
+    pub fn own_rates(&mut self) {
+        for i in 0..self.body.rates.len() {
+            self.body.rates[i] = self.scalar(2);
+        }
+    }
+
+    pub fn rich_leaf(&mut self) -> Scalar {
+        let count = self.body.rates.len();
+        if count > 0 && self.chance(0.7) {
+            return Scalar::State(self.random.usize(..count));
+        }
+        Scalar::Constant
+    }
+
+    /// What a table or a function of Rust makes of a scalar.
+    pub fn rich(&mut self, inner: Scalar) -> Scalar {
+        if self.random.bool() {
+            return Scalar::Called(Box::new(inner));
+        }
+        let count = self.random.i64(2..=6);
+        let mut place = self.random.i64(-3000..=0);
+        let rows = (0..count).map(|_| {
+            place += self.random.i64(1..=2000);
+            [Literal::new(place, -3), self.between(-4000, 4000)]
+        });
+        let rows = rows.collect();
+        Scalar::Table(Box::new(inner), rows, self.random.bool())
+    }
+
+    /// Mass and inertia follow a state, as of a body that is uniformly denser.
+    pub fn changing(&mut self) {
+        if self.body.rates.is_empty() || self.random.bool() {
+            return;
+        }
+        let state = Scalar::State(self.random.usize(..self.body.rates.len()));
+        let factor = Scalar::literal(1, 0) + Scalar::Power(Box::new(state), 2);
+        if let Some(mass) = &mut self.body.mass {
+            denser(&factor, mass);
+        }
+        if let Some(inertia) = &mut self.body.inertia {
+            of_denser(&factor, inertia);
+        }
+    }
+}
+
+fn denser(factor: &Scalar, scalar: &mut Scalar) {
+    *scalar = scalar.clone() * factor.clone();
+}
+
+/// Solids follow the mass by themselves.
+fn of_denser(factor: &Scalar, inertia: &mut Inertia) {
+    let parts: &mut [Scalar] = match inertia {
+        Inertia::Scalar(scalar) => std::slice::from_mut(scalar),
+        Inertia::Principal(moments) => moments,
+        Inertia::Tensor(parts) | Inertia::Products(parts) => parts,
+        Inertia::Along(inner, _) | Inertia::Turned(inner, ..) | Inertia::About(inner, _) => {
+            return of_denser(factor, inner);
+        }
+        Inertia::Solid(..) | Inertia::Compose(_) => return,
+    };
+    for part in parts {
+        denser(factor, part);
+    }
+}

@@ -1,8 +1,9 @@
-//! How long descriptions take to expand, and how it grows with their size.
+//! The time of expansion of descriptions, and its growth with their size.
 //!
-//! The compiler is mounted here, since a proc-macro crate cannot be linked. Proc macros run unoptimised in every build of a
-//! user's crate, so that is how this is to be run: `cargo test --bench expansion`, which is `cargo bench` without optimisation.
-//! Robots in files, whose root floats, follow as `-- robot.urdf:root_link`.
+//! The compiler is mounted here, since a proc-macro crate cannot be linked. Proc macros run
+//! unoptimized in every build of a user's crate, so run this in the same way: `cargo test --bench
+//! expansion`, which is `cargo bench` without optimization. Robot files, with a floating root,
+//! follow as `-- robot.urdf:root_link`.
 #![allow(dead_code)]
 
 #[path = "../macros/src/checks.rs"]

@@ -1,4 +1,5 @@
-//! What closed forms cost: one evaluation, with and without its set-up, beside one step of an integrator on the same body.
+//! The cost of closed forms: one evaluation, with and without its setup, compared with one step of
+//! an integrator on the same body.
 //!
 //! The least of many rounds, in one thread. `cargo bench --bench flow`
 

@@ -1,6 +1,7 @@
-//! Sines and cosines in lanes: ns for a pair, in registers of each width, and over one lane, which is libm's.
+//! Sines and cosines in lanes: ns per pair, in registers of each width, and relative to one lane,
+//! which is libm's.
 //!
-//! Least of many rounds, in one thread; loading and storing is timed as well. `cargo bench --bench sines`
+//! Least of many rounds, in one thread, including loads and stores. `cargo bench --bench sines`
 
 use std::hint::black_box;
 use std::time::Instant;

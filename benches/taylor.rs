@@ -1,10 +1,11 @@
-//! Steps of the Taylor integrator: time of a step by order, and time of a simulated second by tolerance.
+//! Steps of the Taylor integrator: time of a step by order, and time of a simulated second by
+//! tolerance.
 //!
-//! Single thread, best of a few runs; the error is that of attitude and relative angular velocity after 10 s, against the
-//! 40-digit trajectories of `tests/reference`. `cargo bench --bench taylor`
+//! Single thread, best of a few runs; the error is that of attitude and relative angular velocity
+//! after 10 s, against the 40-digit trajectories of `tests/reference`. `cargo bench --bench taylor`
 //!
-//! `cargo bench --bench taylor -- long` takes 10⁸ compensated steps of order 16 instead, 12.5 million seconds of the free body, and
-//! says how far energy and angular momentum are off.
+//! `cargo bench --bench taylor -- long` takes 10⁸ compensated steps of order 16 instead, 12.5
+//! million seconds of the free body, and prints the errors of energy and angular momentum.
 
 use std::hint::black_box;
 use std::time::Instant;

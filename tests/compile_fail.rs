@@ -1,4 +1,4 @@
-//! Wrong descriptions, and what a user reads about them: one mistake a file, in folders named by
+//! Invalid descriptions, and the errors that a user sees: one mistake per file, in folders named by
 //! the kind of mistake, and `many/ten_mistakes.rs` with ten at once.
 //!
 //! The messages depend on the toolchain, which `rust-toolchain.toml` pins. After a change of

@@ -1,4 +1,4 @@
-//! What a user's build pulls in: how much, from where, under which licences, for which Rust.
+//! The dependencies of a user's build: their number, sources, licenses, and Rust versions.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;

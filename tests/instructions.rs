@@ -1,7 +1,7 @@
-//! One `acceleration` of each example takes no more instructions than are on record, 5 % aside.
+//! One `acceleration` of each example takes at most 5 % more instructions than recorded.
 //!
-//! Counted is optimised code, so that this runs `benches/instructions`, built without flags. Without the test harness, which
-//! would not show that it is skipped.
+//! The counts are for optimized code, so this runs `benches/instructions`, built without flags. It
+//! does not use the test harness, which would not show that it is skipped.
 
 use std::process::Command;
 

@@ -1,5 +1,5 @@
-//! A crank-rocker that passes close by a dead point twice a turn: its energy, and its branch, over a
-//! million steps; unoptimised, over ten thousand.
+//! A crank-rocker that passes close to a dead point twice per turn: its energy and its branch over
+//! a million steps; unoptimized, over ten thousand.
 #![allow(missing_docs)]
 
 use newton_euler::integrate::{DormandPrince8, Fixed, Projected};

@@ -1,4 +1,5 @@
-//! The example `long_runs` in a small size: laws of growth, what the methods keep, a satellite's week.
+//! A small run of the example `long_runs`: laws of growth, conserved quantities, a satellite's
+//! week.
 #![allow(missing_docs, reason = "tests")]
 #![allow(dead_code, reason = "of the example not all is looked at")]
 

@@ -1,4 +1,4 @@
-//! The proof is tried, and that it can fail.
+//! Runs the proof, and checks that it can fail.
 
 use std::process::{Command, Output};
 

@@ -1,7 +1,8 @@
-//! A user's crate that depends on the library under another name, and one that gets it through a third crate.
+//! A user's crate that renames the dependency, and one that gets it through a third crate.
 //!
-//! `renamed/` has the sources; the manifests are written here, since the paths in them are absolute. Built without
-//! network from what this workspace was built from, in the versions of its lock file.
+//! `renamed/` has the sources; the manifests are written here, since the paths in them are
+//! absolute. Both are built offline from the dependencies of this workspace, in the versions of its
+//! lock file.
 
 use std::fs;
 use std::path::Path;

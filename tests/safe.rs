@@ -1,4 +1,4 @@
-//! No `unsafe`, in either crate: not even where a lint is switched off. Generated code is held to it in `tests/user_lints`.
+//! No `unsafe` in either crate, not even with lints off; `tests/user_lints` checks generated code.
 
 #[test]
 fn both_crates_forbid_it() {

@@ -1,5 +1,5 @@
-//! Any name is the user's: bodies, parameters, inputs and points called as generated code calls its own things, and
-//! what stands beside a description.
+//! Users may choose any names: bodies, parameters, inputs and points with names that generated code
+//! uses internally, and with names of items next to a description.
 #![deny(warnings, missing_docs, clippy::pedantic)]
 #![forbid(unsafe_code)]
 

@@ -1,4 +1,5 @@
-//! The example `work_precision`: its problems end where they are known to, and its times are read off as they should be.
+//! The example `work_precision`: its problems reach their known ends, and its times are read
+//! correctly.
 #![allow(missing_docs, reason = "tests")]
 #![allow(dead_code, reason = "of the example not all is looked at")]
 

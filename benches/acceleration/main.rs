@@ -1,7 +1,8 @@
-//! What generated accelerations cost, against hand-written nalgebra for the same bodies.
+//! The cost of generated accelerations, compared with hand-written nalgebra for the same bodies.
 //!
-//! Both sides are checked against each other and then timed in turn, in one thread of one run. A table is printed, and written
-//! under `target/measures` as `acceleration.csv` and `acceleration.svg`. `cargo bench --bench acceleration`
+//! Both sides are checked against each other and then timed in turn, in one thread of one run. The
+//! program prints a table, and writes `acceleration.csv` and `acceleration.svg` under
+//! `target/measures`. `cargo bench --bench acceleration`
 
 mod bodies;
 mod by_hand;

@@ -1,8 +1,9 @@
 //! Instructions of one `acceleration` of each body in `examples/`, counted by callgrind.
 //!
-//! The counts repeat exactly. They are held against those of `counts.txt`, of which they may be 5 % above; `BLESS=1` writes that
-//! file anew. They belong to the toolchain of `rust-toolchain.toml` and to x86-64 as any such processor has it: build
-//! without flags. Needs valgrind. `cargo bench --bench instructions`; `tests/instructions.rs` runs it.
+//! The counts repeat exactly. They may be 5 % above those of `counts.txt`; `BLESS=1` rewrites that
+//! file. They belong to the toolchain of `rust-toolchain.toml` and to baseline x86-64: build
+//! without flags. Needs valgrind. `cargo bench --bench instructions`; `tests/instructions.rs` runs
+//! it.
 
 mod bodies;
 mod counted;

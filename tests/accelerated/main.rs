@@ -1,4 +1,5 @@
-//! Loads that follow the acceleration which they make: added mass, rates of flow angles, feedthrough.
+//! Loads that depend on the acceleration which they cause: added mass, rates of flow angles,
+//! feedthrough.
 
 mod bodies;
 mod held;

@@ -1,4 +1,4 @@
-//! Mass and inertia that change, beside closed forms and laws by hand.
+//! Changing mass and inertia, compared with closed forms and hand-written laws.
 
 #[path = "../systems/balances.rs"]
 mod balances;

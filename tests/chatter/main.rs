@@ -1,7 +1,7 @@
-//! Laws that have no value where they drive a motion to: an integration that chatters there ends,
-//! with an error or at its end. And what is long, stiff or steep, and looks alike step by step,
-//! goes on to its end. Hundreds of thousands of steps take their time without optimisation, so
-//! `cargo test` tries DOP853 and series once each, and `cargo test --release` all.
+//! Laws without a value at the place to which they drive a motion. Integration that chatters there
+//! ends, with an error or at its end. A long, stiff or steep motion, whose single steps look alike,
+//! continues to its end. Hundreds of thousands of steps take time without optimization, so
+//! `cargo test` runs DOP853 and series once each, and `cargo test --release` runs all cases.
 
 mod goes_on;
 

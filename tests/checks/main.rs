@@ -1,4 +1,4 @@
-//! `checks`: claims that hold, so that this builds; each is true by a law, and false ones beside them
+//! `checks` that hold, so that this builds. Each is true by a law; their false counterparts
 //! are in `tests/compile_fail/checks/`. The same is computed here in doubles.
 #![allow(missing_docs, reason = "tests")]
 

@@ -1,4 +1,4 @@
-//! The compiler, looked at from inside: its rooms are mounted here, since a proc-macro crate cannot be linked.
+//! The compiler from inside: its rooms are mounted here, since a proc-macro crate cannot be linked.
 #![allow(missing_docs, dead_code)]
 #![allow(
     clippy::needless_pass_by_value,

@@ -1,4 +1,4 @@
-//! Constraints, what keeps them, and inverse dynamics.
+//! Constraints, their reactions, and inverse dynamics.
 
 mod inverse;
 mod inverse_constrained;

@@ -1,6 +1,7 @@
-//! Numbers that are none: what comes of them, and that it comes to an end.
+//! NaN and infinite numbers: their effect, and that every call terminates.
 //!
-//! Evaluations hand them on; what integrates says so, with the last state that was good. `docs/trust.md` has the rules.
+//! Evaluations propagate them; integration reports them, with the last good state. `docs/trust.md`
+//! has the rules.
 
 #![allow(clippy::float_cmp, reason = "the same to the bit")]
 #![allow(clippy::result_large_err, reason = "errors hold a state")]

@@ -1,4 +1,4 @@
-//! Constants and functions of Rust in descriptions, beside the same laws by hand.
+//! Rust constants and functions in descriptions, compared with the same laws by hand.
 
 use newton_euler::ensemble::Ensemble;
 use newton_euler::integrate::{Classical4, Fixed};

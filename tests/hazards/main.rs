@@ -1,8 +1,9 @@
-//! The hazards of arithmetic in rigid-body dynamics, H1 to H20: of each the error of the straightforward formula beside that of the
-//! library, through the macro and through the runtime.
+//! Arithmetic hazards in rigid-body dynamics, H1 to H20: for each, the error of the straightforward
+//! formula and that of the library, through the macro and through the runtime.
 //!
-//! A hazard is a function that tries it and gives [`Record`]s. Each record is held to its limit, and where the straightforward formula
-//! is known to fail, to its failing: a case in which nothing goes wrong would try nothing.
+//! A hazard is a function that returns [`Record`]s. Each record must stay within its limit. Where
+//! the straightforward formula is known to fail, it must fail: otherwise the case would test
+//! nothing.
 //!
 //! ```text
 //! cargo test --test hazards                                           # runs of up to 1e5 steps

@@ -1,4 +1,4 @@
-//! A body of every kind: of every motion, under loads of every kind, with all that can be asked of it.
+//! A body of every kind: with every motion, under loads of every kind, with all outputs.
 
 use newton_euler::rigid_body;
 

@@ -1,4 +1,4 @@
-//! Oracles that share nothing with the macro: vector code, symmetries, conservation laws, a second
+//! Oracles that share no code with the macro: vector code, symmetries, conservation laws, a second
 //! derivation, exact arithmetic.
 
 mod conditions;

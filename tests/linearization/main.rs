@@ -1,5 +1,5 @@
-//! `outputs: [linearization]`: A and B of bodies and systems of every kind beside dual numbers; steady
-//! motions and modes.
+//! `outputs: [linearization]`: A and B of bodies and systems of every kind, compared with dual
+//! numbers; steady motions and modes.
 #![allow(missing_docs, reason = "tests")]
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 

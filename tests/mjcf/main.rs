@@ -1,4 +1,4 @@
-//! Systems from files of `MuJoCo`, beside what it computes of them: `reference.py`.
+//! Systems from files of `MuJoCo`, compared with its own results: `reference.py`.
 #![allow(missing_docs)]
 
 mod described;

@@ -1,4 +1,4 @@
-//! How many operations generated code has.
+//! Operation counts of generated code.
 
 mod bodies;
 mod potentials;

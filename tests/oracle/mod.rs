@@ -1,4 +1,4 @@
-//! Random states, and sums that remember how large their terms were.
+//! Random states, and sums that record the sizes of their terms.
 #![allow(dead_code, reason = "each test uses its part")]
 
 use nalgebra::{SVector, UnitQuaternion, Vector2, Vector3};

@@ -1,7 +1,8 @@
-//! Every pruning rule that concerns one body: the operations before and after, what the documentation says, and that the
-//! accelerations are those of the unpruned law, at 1000 random states, to 64 units in the last place of its largest term.
+//! Every pruning rule for a single body: the operations before and after, its line in the
+//! documentation, and agreement of the accelerations with the unpruned law, at 1000 random states,
+//! to 64 units in the last place of its largest term.
 //!
-//! Rules that pay inside an integrator are claims of the structure of a body: `tests/structure/`.
+//! Rules that help integrators are claims about the structure of a body: `tests/structure/`.
 #![allow(missing_docs)]
 
 mod bodies;

@@ -1,4 +1,4 @@
-//! Imports between the rooms of the runtime go one way, and no two of its files need each other.
+//! Imports between the rooms of the runtime go one way, and no two of its files import each other.
 //!
 //! A room is a folder of `runtime/src`, or a file.
 

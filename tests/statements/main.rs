@@ -1,4 +1,4 @@
-//! Published numbers, through the macro: the statements of the theory, solids, bodies of parts,
+//! Published numbers, through the macro: the statements of the theory, solids, composed bodies,
 //! charges, a quadrotor.
 
 mod charges;

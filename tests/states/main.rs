@@ -1,4 +1,4 @@
-//! States of one's own, integrated beside the motion: motors, controllers, fuel.
+//! User-defined states, integrated with the motion: motors, controllers, fuel.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 mod bodies;

@@ -1,4 +1,4 @@
-//! What the compiler says of the structure of a body is what its accelerations do.
+//! The compiler's claims about the structure of a body, compared with its accelerations.
 #![allow(missing_docs)]
 
 use nalgebra::{Matrix3, Vector3};

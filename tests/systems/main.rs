@@ -1,4 +1,4 @@
-//! Systems of bodies: published numbers, another way to the same numbers, and laws.
+//! Systems of bodies: published numbers, a second derivation, and laws.
 #![allow(missing_docs)]
 
 mod along_axes;

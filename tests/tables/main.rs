@@ -1,4 +1,4 @@
-//! Tables in descriptions: between their values, at them and beyond, of one scalar and of two.
+//! Tables in descriptions: at, between and beyond their grid points, of one scalar and of two.
 
 mod files;
 

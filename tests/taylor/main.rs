@@ -1,4 +1,4 @@
-//! Taylor series of motions and the integrator that follows them.
+//! Taylor series of motions, and their integrator.
 #![allow(missing_docs, reason = "tests")]
 #![allow(clippy::cast_precision_loss, reason = "orders and numbers of steps")]
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]

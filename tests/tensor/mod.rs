@@ -1,4 +1,4 @@
-//! Tensors as the bodies show them, and how they are compared.
+//! Tensors as observed through bodies, and their comparison.
 #![allow(dead_code, reason = "each test needs its part")]
 
 use nalgebra::{Matrix3, Unit, UnitQuaternion, Vector3};

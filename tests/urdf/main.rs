@@ -1,4 +1,5 @@
-//! Systems from files: beside the same systems by hand, and beside another reader of the files.
+//! Systems from files, compared with the same systems by hand, and with another reader of the
+//! files.
 #![allow(missing_docs)]
 
 mod described;

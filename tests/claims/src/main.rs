@@ -1,12 +1,13 @@
-//! Descriptions at random, and all that the compiler claims of them against what they mean.
+//! Random descriptions, and all claims of the compiler about them, compared with their meaning.
 //!
 //! ```text
 //! cargo run --release -p claims -- --descriptions 1000000 --seed 1
 //! ```
 //!
-//! The compiler is called as a function: nothing of what it emits is compiled. What it claims, of zeros, of symmetries, of what is not read, of
-//! closed forms, and its accelerations themselves, is held against the vector law in 106 bits, at states of all scales and at both
-//! sides of every number in the description. A claim that a state refutes is shown with the smallest description that has it.
+//! The compiler is called as a function: its output is not compiled. Its claims (zeros, symmetries,
+//! unread quantities, closed forms) and its accelerations are compared with the vector law in 106
+//! bits, at states of all scales and at both sides of every number in the description. A refuted
+//! claim is shown with the smallest description that makes it.
 
 #[allow(dead_code, reason = "the claims need a part of it")]
 #[path = "../../random_bodies/src/description/mod.rs"]

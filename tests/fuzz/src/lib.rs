@@ -1,7 +1,7 @@
-//! Bad input without end: what the expander and the runtime say to anything.
+//! Endless bad input: the response of the expander and the runtime to arbitrary input.
 //!
-//! The compiler is mounted here, since a proc-macro crate cannot be linked. Every execution follows from a seed and its number
-//! alone, so that what was found is found again.
+//! The compiler is mounted here, since a proc-macro crate cannot be linked. Every execution follows
+//! from a seed and its index alone, so that findings can be reproduced.
 #![allow(missing_docs, dead_code)]
 #![allow(
     unfulfilled_lint_expectations,

@@ -1,4 +1,5 @@
-//! `cargo run --release -p fuzz -- expander --executions 10000000 --seed 1`, and the same of `runtime`.
+//! `cargo run --release -p fuzz -- expander --executions 10000000 --seed 1`, and the same for
+//! `runtime`.
 
 use std::process::ExitCode;
 

@@ -1,7 +1,9 @@
-//! What cannot panic: `cargo run --profile proof -p newton-euler-no-panic --features proof`.
+//! Functions that cannot panic: `cargo run --profile proof -p newton-euler-no-panic --features
+//! proof`.
 //!
-//! The crate `no-panic` puts a guard into each function that follows. If it unwinds, the guard calls what nowhere exists; so this links if
-//! and only if the optimiser has removed every path on which it could. `docs/trust.md` has what is left out, and why.
+//! The crate `no-panic` puts a guard into each of the following functions. On unwinding, the guard
+//! calls a nonexistent symbol, so this links if and only if the optimizer has removed every path on
+//! which a function could panic. `docs/trust.md` lists what is left out, and why.
 
 #![allow(clippy::result_large_err, reason = "errors hold a state")]
 

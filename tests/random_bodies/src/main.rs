@@ -1,16 +1,18 @@
 //! Random bodies against the vector law in extended precision.
 //!
-//! `build/` draws bodies and writes them for the compiler; here they are drawn again, for the oracle. Each is asked for all
-//! its answers in random states. `cargo test -p random-bodies` does so with a few; in full:
+//! `build/` draws bodies and writes them for the compiler; here they are drawn again, for the
+//! oracle. All outputs of each are evaluated in random states. `cargo test -p random-bodies` runs a
+//! few; in full:
 //!
 //! ```text
 //! BODIES=1000 cargo run --release -p random-bodies -- 100000
 //! ```
 //!
-//! `-- motions 1000` moves other bodies from as many states each, `MOVING` of them, in closed form, by series and by DOP853, side by side.
+//! `-- motions 1000` integrates `MOVING` other bodies from as many states each, in closed form, by
+//! series and by DOP853.
 //!
-//! The argument is the number of states of each body, or which ones, `50000..100000`. With two, a body and a state, it shows what
-//! that body answers there.
+//! The argument is the number of states of each body, or their range, `50000..100000`. With two
+//! arguments, a body and a state, it shows the outputs of that body in that state.
 
 use survey::{Ask, Survey};
 

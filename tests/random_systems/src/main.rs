@@ -1,13 +1,14 @@
-//! Systems of bodies at random: what the compiler derives of them, against the law of each body in
+//! Random systems of bodies: the compiler's equations, compared with the law of each body in
 //! 106 bits.
 //!
 //! ```text
 //! cargo run --release -p random-systems -- --systems 20000 --seed 1
 //! ```
 //!
-//! The compiler is called as a function, and its expressions are evaluated in 106 bits: what differs
-//! from the law by more than 1e-20 is wrong, and no rounding. It is shown with the smallest
-//! description that fails alike. Beside it stand the largest errors of doubles.
+//! The compiler is called as a function, and its expressions are evaluated in 106 bits: a
+//! difference from the law by more than 1e-20 is an error, not rounding. It is shown with the
+//! smallest description that fails in the same way. The largest errors in doubles are shown as
+//! well.
 
 #[allow(dead_code, reason = "the oracle needs a part of it")]
 #[path = "../../random_bodies/src/wide/mod.rs"]

@@ -1,7 +1,8 @@
-//! What is computed, to the bit: the same numbers in every build and on every processor.
+//! Results to the bit: the same numbers in every build and on every processor.
 //!
-//! Only series that are integrated know two: one with fused operations, where they are dispatched and the processor has them, one without.
-//! `docs/trust.md` says what is promised, and what this was run on.
+//! Only series that are integrated have two results: with fused operations, where they are
+//! dispatched and the processor has them, and without. `docs/trust.md` says what is promised, and
+//! where this was run.
 
 mod bits;
 mod by_hand;

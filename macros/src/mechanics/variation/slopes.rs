@@ -72,9 +72,9 @@ impl Slopes {
     pub fn take(&mut self, work: &Workspace, turn: &Turn) -> Components {
         let mut slope = self.by(work, turn.turned);
         // components that are equal are one leaf
-        for place in 1..3 {
+        for (place, part) in slope.iter_mut().enumerate() {
             if turn.turned[..place].contains(&turn.turned[place]) {
-                slope[place] = work.graph.zero();
+                *part = work.graph.zero();
             }
         }
         self.by_leaf.retain(|leaf, _| !turn.turned.contains(leaf));

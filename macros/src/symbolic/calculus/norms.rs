@@ -1,5 +1,5 @@
-//! Norms where they are zero. There a norm has no slope, but what it is a factor of may have one: quadratic drag
-//! `|v| v` has none at rest. So a norm is taken as level where it is zero.
+//! Norms where they are zero. There a norm has no slope, but what it is a factor of may have one:
+//! quadratic drag `|v| v` has none at rest. So a norm counts as level where it is zero.
 //!
 //! A norm that something is divided by stays as it is: where it is zero, that has no value either.
 

@@ -13,7 +13,8 @@
 
 use core::f64::consts::FRAC_2_PI;
 
-use super::{Lanes, Mask, Register};
+use super::arithmetic::{Lanes, Mask};
+use super::register::{Register, by_itself};
 use crate::numbers::math;
 use crate::numbers::scalar::Scalar;
 
@@ -57,7 +58,7 @@ pub(super) fn sin_cos<S: Register>(angle: Lanes<S>) -> (Lanes<S>, Lanes<S>) {
             Lanes::splat(angle.simd, cosine),
         );
     }
-    let ((mut sines, mut cosines), settled) = super::by_itself(angle.simd, || side_by_side(angle));
+    let ((mut sines, mut cosines), settled) = by_itself(angle.simd, || side_by_side(angle));
     if Lanes::agreed(settled) != Some(true) {
         let zero = Lanes::splat(angle.simd, 0.0);
         let left = Lanes::select(settled, zero, angle);

@@ -1,7 +1,7 @@
 //! Every operation of the graph through one table: the simplifying constructors against plain
 //! arithmetic, the interpreter, and the derivative against differences.
 
-use crate::symbolic::{Comparison, Function, Graph, Id, Stage};
+use crate::symbolic::{Comparison, Function, Graph, Id, Number, Stage};
 
 /// An operation on three symbols: its name, how the graph makes it, and what it is.
 pub type Operation = (
@@ -409,4 +409,21 @@ fn branches_that_are_not_taken_do_no_harm() {
         let found = graph.evaluate(&[slope], |_| at)[0];
         assert!((found - expected).abs() < 1e-15, "{found} at {at}");
     }
+}
+
+/// A number whose nearest rational is minus one times a parameter, and the negative of that.
+#[test]
+fn a_number_next_to_one_is_not_one() {
+    let large = Number::parse("5.4e53").expect("a number");
+    let root = |number: Number| Number::apply(Function::Sqrt, &[number]).expect("positive");
+    let cosine = large.clone() / root(large.clone() * large + Number::one());
+    assert!(!cosine.is_one() && cosine.to_integer().is_none());
+
+    let mut graph = Graph::default();
+    let [parameter, ..] = symbols(&mut graph, [Stage::Parameter; 3]);
+    let [plus, minus] = [cosine.clone(), -cosine].map(|factor| graph.number(factor));
+    let [plus, minus] = [plus, minus].map(|factor| graph.multiply(factor, parameter));
+    assert_eq!(graph.negate(plus), minus);
+    assert_eq!(graph.negate(minus), plus);
+    assert_ne!(plus, parameter);
 }

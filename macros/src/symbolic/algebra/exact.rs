@@ -209,7 +209,7 @@ fn jumps(function: Function, numbers: &[Number]) -> bool {
         (Function::Min | Function::Max, [y]) => is_near(x, y),
         (Function::Atan2, [y]) => x.is_undecided() || y.is_undecided(),
         (Function::Powf, [exponent]) => {
-            let seems_whole = exponent.is_rounded() && exponent.to_integer().is_some();
+            let seems_whole = exponent.is_rounded() && exponent.value.is_int();
             x.is_undecided() || exponent.is_undecided() || seems_whole
         }
         _ => false,

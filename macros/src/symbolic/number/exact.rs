@@ -137,7 +137,7 @@ impl Number {
     }
 
     pub fn is_one(&self) -> bool {
-        self.value.is_one()
+        self.value.is_one() && !self.is_rounded()
     }
 
     pub fn is_negative(&self) -> bool {
@@ -150,7 +150,7 @@ impl Number {
 
     /// The integer that this number is, if it is a small one.
     pub fn to_integer(&self) -> Option<i64> {
-        (self.value.is_int())
+        (self.value.is_int() && !self.is_rounded())
             .then(|| i64::try_from(self.value.numerator().clone()).ok())
             .flatten()
     }

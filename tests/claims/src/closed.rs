@@ -35,6 +35,7 @@ pub fn flow(case: &Case<'_>, sample: &Sample, known: &Answer, refuted: &mut Refu
     let layout = Layout::of(&case.body.motion);
     match &flow.rotation {
         Rotation::None => {}
+        Rotation::Gyrostat(_) => unreachable!("a body by itself has no rotors"),
         Rotation::GreatCircle => nothing("flow: great circle", known.moment, refuted),
         Rotation::Free(free) => {
             nothing("flow: free rotation", known.moment, refuted);

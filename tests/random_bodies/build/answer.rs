@@ -77,9 +77,8 @@ fn stated(body: &Body) -> [String; 3] {
     };
     let own = fields(&|i| format!("given.own[{i}]"));
     let still = fields(&|_| "0.0".to_owned());
-    let rates: String = (0..count)
-        .map(|i| format!("answers.rate({i}, found.state_{i});\n"))
-        .collect();
+    let rates = (0..count).map(|i| format!("answers.rate({i}, found.state_{i});\n"));
+    let rates = rates.collect::<Vec<_>>().concat();
     [
         format!("let state = {name}State {{ motion: state(given), {own} }};"),
         format!(

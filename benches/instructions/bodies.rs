@@ -114,7 +114,8 @@ pub fn missing() -> Vec<String> {
     let paths = examples
         .expect("the folder of examples")
         .map(|entry| entry.expect("an example").path());
-    let names = paths.filter(|path| path.is_file()).map(|path| {
+    let programs = paths.filter(|path| path.extension().is_some_and(|extension| extension == "rs"));
+    let names = programs.map(|path| {
         let name = path.file_stem().expect("a name").to_string_lossy();
         name.into_owned()
     });

@@ -42,7 +42,7 @@ use std::cell::OnceCell;
 
 use answers::{derive_switches, list_partial, loads};
 use balances::{EulerForm, derive_accelerations};
-use following::{REACTION, check_linear, put_settled, settle};
+use following::{REACTION, check_linear, settle, with_settled};
 use report::{classify, list_centers, list_skipped};
 use structure::derive_structure;
 use unknowns::{derive_consistency, derive_constrained, derive_reactions};
@@ -76,55 +76,50 @@ pub struct Report {
     pub skipped: Vec<String>,
 }
 
-/// Derives the equations of motion. Loads that follow accelerations become functions of the state.
+/// Derives the equations of motion. Loads that follow accelerations become functions of the state
+/// in the model that comes back.
 pub fn derive_equations(
-    model: &mut Model,
+    model: Model,
     work: &mut Workspace,
     errors: &mut Errors,
-) -> Option<Equations> {
+) -> Option<(Model, Equations)> {
     check_linear(model.loads.iter(), REACTION, work, errors)?;
-    let (accelerations, form, reactions, constraints) = if model.constraints.is_empty() {
-        let (accelerations, form) = derive_accelerations(model, work, errors)?;
-        let accelerations = settled(model, work, (accelerations, &mut []), errors)?;
-        let reactions = derive_reactions(model, work, accelerations, errors)?;
-        (accelerations, form, reactions, Vec::new())
+    let (accelerations, form, constrained) = if model.constraints.is_empty() {
+        let (accelerations, form) = derive_accelerations(&model, work, errors)?;
+        (accelerations, form, None)
     } else {
-        let mut solved = derive_constrained(model, work, errors)?;
-        let constraints = derive_consistency(model, work, &solved.constraints);
-        let found = (solved.accelerations, &mut solved.reactions[..]);
-        let accelerations = settled(model, work, found, errors)?;
-        (accelerations, solved.form, solved.reactions, constraints)
+        let solved = derive_constrained(&model, work, errors)?;
+        let constraints = derive_consistency(&model, work, &solved.constraints);
+        let constrained = Some((solved.reactions, constraints));
+        (solved.accelerations, solved.form, constrained)
+    };
+    let settled = settle(&model, work, accelerations, errors)?;
+    let (model, accelerations) = (with_settled(model, work, &settled), settled.accelerations);
+    let (reactions, constraints) = match constrained {
+        None => (
+            derive_reactions(&model, work, accelerations, errors)?,
+            Vec::new(),
+        ),
+        Some((reactions, constraints)) => {
+            let reactions = reactions.into_iter();
+            let reactions = reactions.map(|one| settled.put_into(&mut work.graph, one));
+            (reactions.collect(), constraints)
+        }
     };
     let mut acting = accelerations.entries();
     acting.extend(constraints.iter().flat_map(Consistency::roots));
     acting.extend(model.states.iter().map(|state| state.rate));
 
-    Some(Equations {
+    let equations = Equations {
         accelerations,
         form,
         reactions,
         switches: derive_switches(model.state.time, &model.derivatives, work, &acting),
         constraints,
-        partial: list_partial(loads(model, work), work),
+        partial: list_partial(loads(&model, work), work),
         structure: OnceCell::new(),
-    })
-}
-
-/// Accelerations with the loads that follow them, which are put into loads and reactions.
-fn settled(
-    model: &mut Model,
-    work: &mut Workspace,
-    (accelerations, reactions): (Pair, &mut [Components]),
-    errors: &mut Errors,
-) -> Option<Pair> {
-    let Some(settled) = settle(model, work, accelerations, errors)? else {
-        return Some(accelerations);
     };
-    put_settled(model, work, &settled.values);
-    for reaction in reactions {
-        *reaction = work.graph.replaced(*reaction, &settled.values);
-    }
-    Some(settled.accelerations)
+    Some((model, equations))
 }
 
 impl Equations {

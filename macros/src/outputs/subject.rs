@@ -130,9 +130,7 @@ impl Subject for Model {
     type Equations = Equations;
 
     fn derive(self, work: &mut Workspace, errors: &mut Errors) -> Option<(Self, Equations)> {
-        let mut model = with_potentials(self, work);
-        let equations = derive_equations(&mut model, work, errors)?;
-        Some((model, equations))
+        derive_equations(with_potentials(self, work), work, errors)
     }
 
     fn describe(&self, work: &mut Workspace, equations: &Equations) -> Report {

@@ -38,8 +38,8 @@ impl Compiled {
         let solved = described.and_then(|description| {
             let mut outline = outline(&description, &offers::<fuzz::model::Model>(), &mut errors);
             let (model, mut work) = lower_description(&description, &mut outline, &mut errors)?;
-            let mut model = with_potentials(model, &mut work);
-            let equations = derive_equations(&mut model, &mut work, &mut errors)?;
+            let model = with_potentials(model, &mut work);
+            let (model, equations) = derive_equations(model, &mut work, &mut errors)?;
             derive_outputs(&outline, &model, &mut work, &equations, &mut errors)?;
             let accelerations = equations.accelerations;
             let flow = outline.place("flow").and_then(|place| {

@@ -4,4 +4,4 @@ mod linear;
 mod settled;
 
 pub use linear::{LOAD, REACTION, check_linear, check_parts, unknowns_in};
-pub use settled::{as_given, put_settled, settle, takes_inertia};
+pub use settled::{as_given, settle, takes_inertia, with_settled};

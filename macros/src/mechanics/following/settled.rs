@@ -8,15 +8,13 @@
 //!
 //! and these terms move to the left side, where they are solved for.
 
-use std::mem::replace;
-
 use crate::errors::Errors;
 use crate::mechanics::balances::{
     inertia_about_center, is_diagonal, known_parts, moments_about, resultant,
 };
 use crate::mechanics::proofs::samples;
 use crate::model::{Frame, Inertia, Load, Meaning, Model, Pair, Variable, Vector, Workspace};
-use crate::symbolic::{Components, Equation, Id, Size};
+use crate::symbolic::{Components, Equation, Graph, Id, Size};
 
 /// An acceleration on which loads depend, and its balance minus itself: zero.
 struct Followed {
@@ -26,27 +24,35 @@ struct Followed {
     residual: Id,
 }
 
-/// The accelerations on which loads depend: each symbol with its value.
+/// The accelerations, and the symbols of those on which loads depend, each with its value.
 pub struct Settled {
     pub values: Vec<(Id, Id)>,
     pub accelerations: Pair,
 }
 
-/// Solves for these accelerations, from the accelerations by their symbols. Nothing if there are
-/// none.
-#[allow(
-    clippy::option_option,
-    reason = "outer: reported; inner: nothing to solve for"
-)]
+impl Settled {
+    /// A vector with the solutions in it.
+    pub fn put_into(&self, graph: &mut Graph, vector: Components) -> Components {
+        if self.values.is_empty() {
+            return vector;
+        }
+        graph.replaced(vector, &self.values)
+    }
+}
+
+/// Solves for the accelerations on which loads depend, from the accelerations by their symbols.
 pub fn settle(
     model: &Model,
     work: &mut Workspace,
     accelerations: Pair,
     errors: &mut Errors,
-) -> Option<Option<Settled>> {
+) -> Option<Settled> {
     let followed = list_followed(model, work, accelerations);
     if followed.is_empty() {
-        return Some(None);
+        return Some(Settled {
+            values: Vec::new(),
+            accelerations,
+        });
     }
     let symbols: Vec<Id> = followed.iter().map(|one| one.symbol).collect();
     let residuals: Vec<Id> = followed.iter().map(|one| one.residual).collect();
@@ -64,10 +70,10 @@ pub fn settle(
             .divide_for(*reciprocal, "acceleration".to_owned());
     }
     let accelerations = put_into(model, work, &followed, &values, accelerations);
-    Some(Some(Settled {
+    Some(Settled {
         values,
         accelerations,
-    }))
+    })
 }
 
 /// The message for a load that leaves no inertia.
@@ -245,10 +251,16 @@ fn follows(work: &Workspace, load: &Load) -> bool {
     !work.accelerations_in(&parts).is_empty()
 }
 
-/// Substitutes the solutions into the loads, and keeps the original loads separately.
-pub fn put_settled(model: &mut Model, work: &mut Workspace, values: &[(Id, Id)]) {
-    let settled = loads_with(&model.loads, work, values);
-    model.following = replace(&mut model.loads, settled);
+/// The body with the solutions in its loads, and those by the symbols beside them.
+pub fn with_settled(model: Model, work: &mut Workspace, settled: &Settled) -> Model {
+    if settled.values.is_empty() {
+        return model;
+    }
+    Model {
+        loads: loads_with(&model.loads, work, &settled.values),
+        following: model.loads,
+        ..model
+    }
 }
 
 /// A body whose loads use given accelerations.

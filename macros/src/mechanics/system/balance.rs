@@ -53,7 +53,7 @@ pub fn derive_system_balances(
             residual: in_world(work, residual, &body.name),
             loads,
         };
-        balance.put_solved(work, &values);
+        balance.put_solved(work, values);
         balance
     });
     balances.collect()

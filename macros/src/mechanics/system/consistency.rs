@@ -6,6 +6,7 @@ use crate::mechanics::unknowns::{Consistency, Reach, summed_size};
 use crate::model::{System, Workspace};
 use crate::symbolic::{Function, Graph, Id};
 
+use super::closed::Closed;
 use super::equations::SystemEquations;
 use super::rates::order;
 
@@ -23,34 +24,15 @@ pub fn derive_system_consistency(
     let motion = motion(work, equations, &closed.inertias);
     let turn = turn(work, equations, &closed.inertias);
     let graph = &mut work.graph;
-    let directions: Vec<Vec<Id>> = closed
-        .constraints
-        .iter()
-        .map(|row| {
-            let parts = row.slopes.iter().zip(&closed.inertias);
-            parts
-                .map(|(slope, inertia)| graph.divide(*slope, *inertia))
-                .collect()
-        })
-        .collect();
-    let couplings: Vec<Vec<Id>> = closed
-        .constraints
-        .iter()
-        .map(|row| {
-            let others = directions.iter().map(|other| {
-                let parts = row.slopes.iter().zip(other);
-                let parts: Vec<Id> = parts.map(|(a, b)| graph.multiply(*a, *b)).collect();
-                graph.sum(&parts)
-            });
-            others.collect()
-        })
-        .collect();
-    let rows = closed.constraints.iter().enumerate();
+    let (directions, couplings) = corrections(graph, closed);
+    let keepers = closed.kept.iter().map(|(keeper, _)| keeper);
+    let parts: Vec<_> = keepers.map(|keeper| keeper.joint_part(graph)).collect();
+    let rows = closed.rows().enumerate();
     let rows = rows.map(|(number, row)| {
         let own = couplings[number][number];
         // one that is flat where a linkage folds is off by as much as the others of its joint
-        let part = closed.parts[number];
-        let is_alike = |other: usize| part.is_some() && closed.parts[other] == part;
+        let part = parts[number];
+        let is_alike = |other: usize| part.is_some() && parts[other] == part;
         let alike = (0..couplings.len()).filter(|other| is_alike(*other));
         let largest = alike.fold(own, |largest, other| {
             graph.apply(Function::Max, &[largest, couplings[other][other]])
@@ -74,6 +56,26 @@ pub fn derive_system_consistency(
         (consistency, reach(largest))
     });
     rows.collect()
+}
+
+/// What a unit of each row moves the coordinates by, and the rows by that.
+fn corrections(graph: &mut Graph, closed: &Closed) -> (Vec<Vec<Id>>, Vec<Vec<Id>>) {
+    let mut directions = Vec::new();
+    for row in closed.rows() {
+        let parts = row.slopes.iter().zip(&closed.inertias);
+        let parts = parts.map(|(slope, inertia)| graph.divide(*slope, *inertia));
+        directions.push(parts.collect());
+    }
+    let mut couplings = Vec::new();
+    for row in closed.rows() {
+        let others = directions.iter().map(|other: &Vec<Id>| {
+            let parts = row.slopes.iter().zip(other);
+            let parts: Vec<Id> = parts.map(|(a, b)| graph.multiply(*a, *b)).collect();
+            graph.sum(&parts)
+        });
+        couplings.push(others.collect());
+    }
+    (directions, couplings)
 }
 
 /// What a value may be in a state of this size: where an angle or a rate alone is kept at zero, its

@@ -1,7 +1,5 @@
 //! The equations of motion of a system, and its report.
 
-use std::mem::take;
-
 use crate::errors::Errors;
 use crate::mechanics::Report;
 use crate::mechanics::answers::{Partial, Switch, derive_switches, list_partial, parts};
@@ -40,9 +38,9 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
     } else {
         let motion = motion(system, work);
         let coordinates = coordinates(system, work, &built);
-        let mut closed = close(system, work, &built, (&motion, &coordinates));
+        let (accelerations, closed) = close(system, work, &built, (&motion, &coordinates));
         let found = Solved {
-            accelerations: take(&mut closed.accelerations),
+            accelerations,
             left_out: Vec::new(),
             reduced: built.tree.clone(),
         };
@@ -72,9 +70,8 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
     let switches = time.map(|time| derive_switches(time, &system.derivatives, work, &roots));
     let mut loads = loads(system, work);
     if let Some(closed) = &closed {
-        let values = closed.settled();
         for (_, parts) in &mut loads {
-            *parts = replace(&mut work.graph, parts, &values);
+            *parts = replace(&mut work.graph, parts, &closed.settled);
         }
     }
     SystemEquations {
@@ -108,9 +105,9 @@ impl SystemEquations {
     }
 
     /// The solutions for the symbols on which loads depend.
-    pub fn values(&self) -> Vec<(Id, Id)> {
+    pub fn values(&self) -> &[(Id, Id)] {
         let closed = self.closed.as_ref();
-        closed.map_or(Vec::new(), Closed::settled)
+        closed.map_or(&[], |closed| &closed.settled)
     }
 
     /// The load of each written constraint.

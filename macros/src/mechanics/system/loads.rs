@@ -29,7 +29,8 @@ pub fn derive_system_inverse(
     let drives: Vec<Id> = match &equations.closed {
         None => open.iter().map(|freedom| needed[*freedom]).collect(),
         Some(closed) => {
-            let solved = solve_drives(work, closed, &needed, &open);
+            let sides = (&needed[..], &system.constraints.loads[..]);
+            let solved = solve_drives(work, closed, sides, &open);
             let names: Vec<&Ident> = open.iter().filter_map(|one| named[*one].as_ref()).collect();
             report_undetermined(&names, &solved.undetermined, errors);
             report_undriven(system, closed, &solved.spare, errors);
@@ -77,7 +78,7 @@ fn report_undetermined(names: &[&Ident], unknowns: &[Undetermined], errors: &mut
 /// Constraints that hold at times only leave such rows too where they do not hold: then nothing is
 /// reported.
 fn report_undriven(system: &System, closed: &Closed, spare: &[(usize, Id)], errors: &mut Errors) {
-    if closed.constraints.iter().any(|row| row.active.is_some()) {
+    if closed.rows().any(|row| row.active.is_some()) {
         return;
     }
     let joints = system.joints.iter().filter(|joint| !joint.is_driven());

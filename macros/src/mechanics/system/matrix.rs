@@ -25,7 +25,7 @@ pub fn derive_inertias(
 ) -> Inertias {
     let tree = moved_in_world(work, &equations.built.tree);
     let found = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
-    let driving = replace(&mut work.graph, &found.driving, &equations.values());
+    let driving = replace(&mut work.graph, &found.driving, equations.values());
     let order = order(system, &equations.built);
     let mut result = |id: Id| work.graph.result(id);
     Inertias {

@@ -54,6 +54,15 @@ pub struct Freedom {
 }
 
 impl Tree {
+    /// What there is of each open freedom, link by link.
+    pub fn by_link<T>(&self, of_freedoms: impl IntoIterator<Item = T>) -> Vec<Vec<T>> {
+        let mut rest = of_freedoms.into_iter();
+        let links = self.links.iter();
+        links
+            .map(|link| rest.by_ref().take(link.open().count()).collect())
+            .collect()
+    }
+
     /// Whether a link is this one, or is carried by it.
     pub fn is_above(&self, mut link: usize, below: usize) -> bool {
         while link != below {

@@ -211,6 +211,12 @@ impl JointKind {
         self.holds == Holds::Center && matches!(self.parts, [Part::Free | Part::Ball])
     }
 
+    /// Whether the carried body turns against its carrier.
+    pub fn turns(&self) -> bool {
+        let mut parts = self.parts.iter();
+        parts.any(|part| !matches!(part, Part::Slide(_)))
+    }
+
     pub fn is_screw(&self) -> bool {
         self.parts == [Part::Screw]
     }

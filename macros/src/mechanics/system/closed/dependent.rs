@@ -11,8 +11,7 @@
 //! and no row is preferred. S has no negative eigenvalue, so `e_k` vanishes only where the rank is
 //! less. That the rank is k is not proved and not assumed: if `S l` differs from r by more than
 //! rounding and the distance of the state from a closed one, the result is NaN. Otherwise all rows
-//! are satisfied and all balances hold, and this determines the motion. balances hold, and this
-//! determines the motion.
+//! are satisfied and all balances hold, and this determines the motion.
 
 use crate::mechanics::tree::MassMatrix;
 use crate::model::Workspace;
@@ -21,8 +20,8 @@ use crate::symbolic::{Equation, Graph, Id};
 use super::super::constraints::Row;
 use super::eliminated::{Following, Found, equations};
 use super::guard::{Closeness, guard};
+use super::known::Keeper;
 use super::semidefinite::{Solver, product};
-use super::unsettled::Keeper;
 
 /// Rows of one joint and of one dimension, and the number of independent ones.
 pub struct Group {
@@ -111,39 +110,19 @@ pub fn dependent(
             graph.quantity(one)
         })
         .collect();
-    let spread = |graph: &mut Graph, of_full: &[Id], of_left: &[Id]| {
-        let mut loads = vec![graph.zero(); kept.len()];
-        for (row, load) in full
-            .iter()
-            .zip(of_full)
-            .chain(left.rows.iter().zip(of_left))
-        {
-            loads[*row] = *load;
-        }
-        loads
-    };
-    let held: Vec<Id> = loads
-        .iter()
-        .map(|load| graph.multiply(holds, *load))
-        .collect();
-    let loads = spread(graph, &all[count..], &held);
+    let held = loads.iter().map(|load| graph.multiply(holds, *load));
+    let held: Vec<Id> = held.collect();
+    let (accelerations, of_full) = all.split_at(count);
+    let rows = [&full[..], &left.rows].concat();
+    let loads = by_row(graph, &rows, (of_full, &held));
     let (mut loose, mut follows) = (Vec::new(), vec![false; kept.len()]);
     for own in left.spare() {
-        // the loads of others that balance a unit of this load
-        let column: Vec<Id> = left.matrix.iter().map(|row| row[own]).collect();
-        let others = solver.solve(graph, &column);
-        let mut of_left: Vec<Id> = others.into_iter().map(|one| graph.negate(one)).collect();
-        of_left[own] = {
-            let one = graph.one();
-            graph.add(of_left[own], one)
-        };
-        let zeros = vec![graph.zero(); left.base.len()];
-        let all = combined(graph, &zeros, &left.units, &of_left);
+        let (of_full, of_left) = left.balanced(graph, &solver, own, count);
         follows[left.rows[own]] = true;
-        loose.push(spread(graph, &all[count..], &of_left));
+        loose.push(by_row(graph, &rows, (&of_full, &of_left)));
     }
     Some(Found {
-        accelerations: all[..count].to_vec(),
+        accelerations: accelerations.to_vec(),
         loads,
         is_resolved: false,
         spare: Vec::new(),
@@ -151,6 +130,15 @@ pub fn dependent(
         follows,
         light: Vec::new(),
     })
+}
+
+/// Loads in the order of all rows, from those of rows in another order.
+fn by_row(graph: &Graph, rows: &[usize], (first, others): (&[Id], &[Id])) -> Vec<Id> {
+    let mut loads = vec![graph.zero(); rows.len()];
+    for (row, load) in rows.iter().zip(first.iter().chain(others)) {
+        loads[*row] = *load;
+    }
+    loads
 }
 
 /// Eliminates the masses and the rows that are always independent.
@@ -219,6 +207,25 @@ impl Left {
         let all = self.groups.iter().flat_map(|group| &group.is_independent);
         let spare = all.enumerate().filter(|(_, is_new)| !**is_new);
         spare.map(|(own, _)| own).collect()
+    }
+
+    /// A unit of the load of a row, with loads of others that balance it: of the rows that are
+    /// always independent, and of these. `count` is the number of accelerations.
+    fn balanced(
+        &self,
+        graph: &mut Graph,
+        solver: &Solver,
+        own: usize,
+        count: usize,
+    ) -> (Vec<Id>, Vec<Id>) {
+        let column: Vec<Id> = self.matrix.iter().map(|row| row[own]).collect();
+        let others = solver.solve(graph, &column);
+        let mut of_left: Vec<Id> = others.into_iter().map(|one| graph.negate(one)).collect();
+        let one = graph.one();
+        of_left[own] = graph.add(of_left[own], one);
+        let zeros = vec![graph.zero(); self.base.len()];
+        let mut of_full = combined(graph, &zeros, &self.units, &of_left);
+        (of_full.split_off(count), of_left)
     }
 }
 

@@ -6,7 +6,8 @@ use crate::symbolic::{Equation, Id, Size};
 
 use super::super::constraints::{Row, split};
 use super::super::reduced::{Kept, together};
-use super::unsettled::{Keeper, open, without_column};
+use super::known::Keeper;
+use super::unsettled::{open, without_column};
 
 /// The solution for a system that is held by rows.
 pub struct Found {

@@ -4,7 +4,7 @@
 use crate::symbolic::{Graph, Id, Number};
 
 use super::super::constraints::Row;
-use super::unsettled::Keeper;
+use super::known::Keeper;
 
 /// The possible rounding of a row, relative to its terms.
 const ROUNDING: f64 = 1e-12;

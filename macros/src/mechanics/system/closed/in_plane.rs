@@ -1,40 +1,15 @@
 //! Loops in the plane: first the motion in absolute angles, and then the loads.
 
-use crate::mechanics::following::unknowns_in;
 use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree::{self, Built};
 use crate::model::{Part, Workspace};
 use crate::symbolic::{Graph, Id};
 
-use super::super::constraints::{Ends, Placed, Row};
+use super::super::constraints::Ends;
 use super::super::plane::{Absolute, Arms, derive_masses, of_hinge, of_row, shortest};
 use super::super::reduced::{Balance, Held, Reduced, loads, reduce};
 use super::eliminated::Found;
-use super::unsettled::Keeper;
-
-/// A system, and its rows.
-pub struct Known<'a> {
-    pub built: &'a Built,
-    /// Its tree, with the accelerations of free links along world axes.
-    pub in_world: &'a Tree,
-    pub placed: &'a [Placed],
-    pub ends: &'a [Ends<'a>],
-    pub kept: &'a [(Keeper, Row)],
-}
-
-impl Known<'_> {
-    /// Whether rows are trivial somewhere, or loads depend on those of constraints.
-    pub fn is_followed(&self, work: &Workspace) -> bool {
-        let links = self.built.tree.links.iter();
-        let given = links.flat_map(|link| {
-            let drives = link.freedoms.iter().map(|freedom| freedom.drive);
-            drives.chain(link.force).chain(link.moment)
-        });
-        let given: Vec<Id> = given.collect();
-        let is_partial = self.kept.iter().any(|(_, row)| row.active.is_some());
-        is_partial || !unknowns_in(work, &given).is_empty()
-    }
-}
+use super::known::{Keeper, Known};
 
 /// Solves the rows block by block; none if rows are dependent or trivial somewhere, or
 /// if loads depend on those of constraints.
@@ -43,8 +18,8 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     if known.is_followed(work) {
         return None;
     }
-    let absolute = Absolute::of(&mut work.graph, tree, known.placed);
-    let mut arms = Arms::new(known.placed);
+    let absolute = Absolute::of(&mut work.graph, tree, &known.placed);
+    let mut arms = Arms::new(&known.placed);
     let rows = rows(&mut work.graph, known, &absolute, &mut arms);
     let count = rows.len();
     let reduced = resolve(work, known, (&absolute, &mut arms), &rows)?;
@@ -56,7 +31,7 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
         .into_iter()
         .map(|one| graph.quantity(one))
         .collect();
-    let lacking = lacking(work, known.in_world, &accelerations);
+    let lacking = lacking(work, &known.in_world, &accelerations);
     let lacking = absolute.gathered(&mut work.graph, &lacking);
     Some(Found {
         accelerations,
@@ -84,7 +59,7 @@ fn rows(
             rows.extend(both.map(|row| (Some(number), row)));
             continue;
         }
-        for (keeper, row) in known.kept {
+        for (keeper, row) in &known.kept {
             if matches!(keeper, Keeper::Joint(of, _) if *of == number) {
                 rows.push((Some(number), of_row(graph, absolute, row)));
             }
@@ -151,12 +126,7 @@ fn balances(
 
 /// The missing load along the open coordinates for the solved accelerations.
 fn lacking(work: &mut Workspace, tree: &Tree, accelerations: &[Id]) -> Vec<Id> {
-    let mut rest = accelerations.iter().copied();
-    let by_link: Vec<Vec<Id>> = tree
-        .links
-        .iter()
-        .map(|link| rest.by_ref().take(link.open().count()).collect())
-        .collect();
+    let by_link = tree.by_link(accelerations.iter().copied());
     let graph = &mut work.graph;
     let all = tree::lacking(graph, tree, &by_link).into_iter();
     all.map(|one| graph.quantity(one)).collect()

@@ -13,15 +13,14 @@ use super::super::constraints::split;
 use super::solve::Closed;
 
 /// Solves for the open drives, and then the loads. `needed` is the right side, along each open
-/// coordinate; `open` are the coordinates that have a drive.
+/// coordinate, where `symbols` are the loads of written constraints; `open` are the coordinates that have a drive.
 pub fn solve_drives(
     work: &mut Workspace,
     closed: &Closed,
-    needed: &[Id],
+    (needed, symbols): (&[Id], &[Id]),
     open: &[usize],
 ) -> Elimination {
-    let symbols: Vec<Id> = closed.values.iter().map(|(symbol, _)| *symbol).collect();
-    let (needed, following) = split(&mut work.graph, needed, &symbols);
+    let (needed, following) = split(&mut work.graph, needed, symbols);
     let (zero, one) = (work.graph.zero(), work.graph.one());
     let mut sides = Vec::new();
     for (freedom, needed) in needed.into_iter().enumerate() {
@@ -29,18 +28,18 @@ pub fn solve_drives(
             .iter()
             .map(|other| if *other == freedom { one } else { zero })
             .collect();
-        let rows = closed.constraints.iter().zip(&closed.follows);
-        for ((row, follows), written) in rows.zip(&closed.written) {
+        for ((keeper, row), follows) in closed.kept.iter().zip(&closed.follows) {
             let slope = if *follows { zero } else { row.slopes[freedom] };
-            let back = written.map_or(zero, |number| following[number][freedom]);
+            let number = keeper.number();
+            let back = number.map_or(zero, |number| following[number][freedom]);
             coefficients.push(work.graph.subtract(slope, back));
         }
         sides.push((coefficients, needed));
     }
     // where a constraint is trivial, its load is zero
-    for (number, row) in closed.constraints.iter().enumerate() {
+    for (number, row) in closed.rows().enumerate() {
         if let Some(active) = row.active {
-            let mut coefficients = vec![zero; open.len() + closed.constraints.len()];
+            let mut coefficients = vec![zero; open.len() + closed.kept.len()];
             coefficients[open.len() + number] = work.graph.select(active, zero, one);
             sides.push((coefficients, zero));
         }
@@ -55,6 +54,6 @@ pub fn solve_drives(
         right,
     });
     let equations = equations.collect();
-    let unknowns = open.len() + closed.constraints.len();
+    let unknowns = open.len() + closed.kept.len();
     work.graph.solve(equations, unknowns)
 }

@@ -15,6 +15,7 @@ mod eliminated;
 mod guard;
 mod in_plane;
 mod inverse;
+mod known;
 mod numbers;
 mod release;
 mod semidefinite;
@@ -23,6 +24,7 @@ mod unsettled;
 
 pub use assembly::Coordinates;
 pub use inverse::solve_drives;
+pub use known::moved_in_world;
 pub use release::{component, release};
-pub use solve::{Closed, close, moved_in_world};
+pub use solve::{Closed, close};
 pub use unsettled::{Spare, check_kept};

@@ -8,15 +8,7 @@ use crate::mechanics::tree::{Built, Properties};
 use crate::model::{System, Workspace};
 use crate::symbolic::{Components, Elimination, Equation, Graph, Id};
 
-use super::super::constraints::{Ends, Placed, Row};
-
-/// The origin of a row.
-pub enum Keeper {
-    /// A joint that closes a loop, by number: the force and moment of a unit of its load.
-    Joint(usize, [Components; 2]),
-    /// The load of a written constraint, by number.
-    Written(usize),
-}
+use super::known::{Keeper, Known};
 
 /// The owners of loads that the equations do not determine, by index.
 #[derive(Default)]
@@ -49,11 +41,12 @@ impl Spare {
     /// `tree` without loads.
     pub fn new(
         graph: &mut Graph,
-        built: &Built,
-        (tree, placed, ends): (&Tree, &[Placed], &[Ends<'_>]),
+        known: &Known<'_>,
+        tree: &Tree,
         (closings, loads): (Vec<[Components; 2]>, Vec<Id>),
     ) -> Self {
-        let links = built.links.iter().map(|links| links.end - 1);
+        let placed = &known.placed;
+        let links = known.built.links.iter().map(|links| links.end - 1);
         let joints = links.map(|link| {
             let is_above = |other: usize| tree.is_above(other, link);
             let mut sums = [graph.zeros(); 2];
@@ -69,7 +62,7 @@ impl Spare {
                     );
                 }
             }
-            for (ends, wrench) in ends.iter().zip(&closings) {
+            for (ends, wrench) in known.ends.iter().zip(&closings) {
                 let [on_carrier, on_carried] = ends.links.map(|link| link.is_some_and(is_above));
                 let Some(carried) = ends.links[1].filter(|_| on_carried != on_carrier) else {
                     continue;
@@ -110,36 +103,6 @@ fn subtract_at(
     let whole = graph.add_vectors(moment, lever);
     for (sum, part) in sums.iter_mut().zip([force, whole]) {
         *sum = graph.subtract_vectors(*sum, part);
-    }
-}
-
-impl Keeper {
-    /// Of a joint, its number, and whether it is a moment that keeps this.
-    pub fn joint_part(&self, graph: &Graph) -> Option<(usize, bool)> {
-        match self {
-            Self::Joint(number, [force, _]) => Some((*number, graph.is_zero_vector(force))),
-            Self::Written(_) => None,
-        }
-    }
-
-    /// Of a written constraint, its number.
-    pub fn number(&self) -> Option<usize> {
-        match self {
-            Self::Joint(..) => None,
-            Self::Written(number) => Some(*number),
-        }
-    }
-
-    /// Whether a row says nothing of accelerations. One of a joint that holds in all states, as
-    /// those of parallel axes in space do, has any load.
-    pub fn is_idle(&self, work: &Workspace, row: &Row) -> bool {
-        let rest = [row.rate, row.bias].into_iter().chain(row.value);
-        let mut parts = row.slopes.iter().copied();
-        let vanishes = |part: Id| work.graph.vanishes(part);
-        match self {
-            Self::Joint(..) => parts.chain(rest).all(vanishes),
-            Self::Written(_) => parts.all(vanishes),
-        }
     }
 }
 

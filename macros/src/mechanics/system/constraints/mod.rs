@@ -1,6 +1,7 @@
 //! Constraints outside the tree: joints that close loops, and written constraints.
 
 mod followers;
+mod held;
 mod joints;
 mod row;
 mod world;

@@ -1,6 +1,6 @@
 //! Constraints in absolute coordinates.
 
-use crate::mechanics::tree::link::Tree;
+use crate::mechanics::tree::link::{Link, Tree};
 use crate::symbolic::{Components, Graph, Id};
 
 use super::super::constraints::{Ends, Row};
@@ -29,9 +29,11 @@ pub fn of_hinge(
     ends: &Ends<'_>,
 ) -> [Held; 2] {
     let zeros = graph.zeros();
-    let mut columns = vec![zeros; absolute.count];
-    let mut sizes = vec![graph.zero(); absolute.count];
-    let mut right = zeros;
+    let mut sum = Sum {
+        columns: vec![zeros; absolute.count],
+        sizes: vec![graph.zero(); absolute.count],
+        right: zeros,
+    };
     for (link, part) in parts(graph, tree, ends).into_iter().enumerate() {
         let Some(Part { vector, passes }) = part else {
             continue;
@@ -39,27 +41,57 @@ pub fn of_hinge(
         let arm = arms.world(graph, link, vector);
         let swept = quarter_turn(graph, arm);
         if let Some(own) = absolute.turns[link] {
-            columns[own] = graph.add_vectors(columns[own], swept);
-            let square = graph.norm_squared(vector);
-            sizes[own] = graph.add(sizes[own], square);
+            sum.by(graph, own, (swept, vector));
         }
         let inwards = graph.scale_vector(absolute.squares[link], arm);
         let turned = graph.scale_vector(absolute.given[link], swept);
-        right = graph.add_vectors(right, inwards);
-        right = graph.subtract_vectors(right, turned);
-        if passes == 0 {
-            continue;
+        sum.right = graph.add_vectors(sum.right, inwards);
+        sum.right = graph.subtract_vectors(sum.right, turned);
+        if passes != 0 {
+            sum.slides(graph, (&tree.links[link], passes), (absolute, arms), link);
         }
+    }
+    [0, 1].map(|axis| Held {
+        slopes: sum.columns.iter().map(|column| column[axis]).collect(),
+        sizes: sum.sizes.clone(),
+        right: graph.quantity(sum.right[axis]),
+    })
+}
+
+/// The sum over the links of a loop.
+struct Sum {
+    /// By absolute coordinate, with the squares of what they are made of.
+    columns: Vec<Components>,
+    sizes: Vec<Id>,
+    right: Components,
+}
+
+impl Sum {
+    /// Adds what a coordinate does: a vector, of this length.
+    fn by(&mut self, graph: &mut Graph, own: usize, (column, length): (Components, Components)) {
+        self.columns[own] = graph.add_vectors(self.columns[own], column);
+        let square = graph.norm_squared(length);
+        self.sizes[own] = graph.add(self.sizes[own], square);
+    }
+
+    /// Adds the slides of a link, through whose joint the loop passes.
+    fn slides(
+        &mut self,
+        graph: &mut Graph,
+        (known, passes): (&Link, i32),
+        (absolute, arms): (&Absolute, &mut Arms<'_>),
+        link: usize,
+    ) {
         let sign = graph.integer(i64::from(passes));
-        let (mut next, known) = (absolute.first[link], &tree.links[link]);
+        let mut next = absolute.first[link];
         for freedom in &known.freedoms {
             let own = next;
             next += usize::from(freedom.given.is_none());
             if is_turn(graph, freedom) {
                 continue;
             }
-            let along = graph.scale_vector(sign, freedom.twist.linear);
-            let square = graph.norm_squared(freedom.twist.linear);
+            let length = freedom.twist.linear;
+            let along = graph.scale_vector(sign, length);
             let along = if known.is_free {
                 along
             } else {
@@ -67,22 +99,16 @@ pub fn of_hinge(
             };
             if let Some(rate) = freedom.given {
                 let driven = graph.scale_vector(rate, along);
-                right = graph.subtract_vectors(right, driven);
+                self.right = graph.subtract_vectors(self.right, driven);
             } else {
-                columns[own] = graph.add_vectors(columns[own], along);
-                sizes[own] = graph.add(sizes[own], square);
+                self.by(graph, own, (along, length));
             }
             if !known.is_free {
                 let coriolis = coriolis(graph, arms.turning_rate(link), freedom.rate, along);
-                right = graph.subtract_vectors(right, coriolis);
+                self.right = graph.subtract_vectors(self.right, coriolis);
             }
         }
     }
-    [0, 1].map(|axis| Held {
-        slopes: columns.iter().map(|column| column[axis]).collect(),
-        sizes: sizes.clone(),
-        right: graph.quantity(right[axis]),
-    })
 }
 
 /// `2 w x v`

@@ -1,0 +1,160 @@
+//! A system that is held by more than the joints of its tree: where its links are, and its rows.
+
+use crate::mechanics::following::unknowns_in;
+use crate::mechanics::tree::Built;
+use crate::mechanics::tree::link::Tree;
+use crate::mechanics::variation::Direction;
+use crate::model::{Closing, Frame, System, Workspace};
+use crate::symbolic::{Components, Graph, Id};
+
+use super::super::constraints::{Ends, Placed, Row, place_links, rows_of_joint, rows_of_written};
+
+/// The origin of a row.
+pub enum Keeper {
+    /// A joint that closes a loop, by number: the force and moment of a unit of its load.
+    Joint(usize, [Components; 2]),
+    /// The load of a written constraint, by number.
+    Written(usize),
+}
+
+/// A system, and its rows.
+pub struct Known<'a> {
+    pub built: &'a Built,
+    /// Its tree, with the accelerations of free links along world axes.
+    pub in_world: Tree,
+    pub placed: Vec<Placed>,
+    /// Of the joints that close loops.
+    pub ends: Vec<Ends<'a>>,
+    pub kept: Vec<(Keeper, Row)>,
+    /// The rows that say nothing of accelerations.
+    pub idle: Vec<(Keeper, Row)>,
+}
+
+impl<'a> Known<'a> {
+    /// The form of the tree does not matter, but the origins of its links are at their joints.
+    /// `motion` is the change of the state.
+    pub fn of(
+        system: &'a System,
+        work: &mut Workspace,
+        built: &'a Built,
+        motion: &Direction,
+    ) -> Self {
+        let in_world = moved_in_world(work, &built.tree);
+        let free = free_links(system, work, built);
+        let placed = place_links(&mut work.graph, &built.tree, |link| free[link]);
+        let closings = system.closings.iter();
+        let ends: Vec<Ends<'_>> = closings
+            .map(|closing| ends(system, work, built, closing))
+            .collect();
+        let mut rows: Vec<(Keeper, Row)> = Vec::new();
+        for (number, ends) in ends.iter().enumerate() {
+            let own = rows_of_joint(&mut work.graph, &built.tree, &placed, ends).into_iter();
+            rows.extend(own.map(|one| (Keeper::Joint(number, [one.force, one.moment]), one.row)));
+        }
+        let written = rows_of_written(system, work, built, motion).into_iter();
+        let written = written.enumerate();
+        rows.extend(written.map(|(number, row)| (Keeper::Written(number), row)));
+        let rows = rows.into_iter();
+        let (idle, kept) = rows.partition(|(keeper, row)| keeper.is_idle(work, row));
+        Self {
+            built,
+            in_world,
+            placed,
+            ends,
+            kept,
+            idle,
+        }
+    }
+
+    /// Whether rows are trivial somewhere, or loads depend on those of constraints.
+    pub fn is_followed(&self, work: &Workspace) -> bool {
+        let links = self.built.tree.links.iter();
+        let given = links.flat_map(|link| {
+            let drives = link.freedoms.iter().map(|freedom| freedom.drive);
+            drives.chain(link.force).chain(link.moment)
+        });
+        let given: Vec<Id> = given.collect();
+        let is_partial = self.kept.iter().any(|(_, row)| row.active.is_some());
+        is_partial || !unknowns_in(work, &given).is_empty()
+    }
+}
+
+impl Keeper {
+    /// Of a joint, its number, and whether it is a moment that keeps this.
+    pub fn joint_part(&self, graph: &Graph) -> Option<(usize, bool)> {
+        match self {
+            Self::Joint(number, [force, _]) => Some((*number, graph.is_zero_vector(force))),
+            Self::Written(_) => None,
+        }
+    }
+
+    /// Of a written constraint, its number.
+    pub fn number(&self) -> Option<usize> {
+        match self {
+            Self::Joint(..) => None,
+            Self::Written(number) => Some(*number),
+        }
+    }
+
+    /// Whether a row says nothing of accelerations. One of a joint that holds in all states, as
+    /// those of parallel axes in space do, has any load.
+    pub fn is_idle(&self, work: &Workspace, row: &Row) -> bool {
+        let rest = [row.rate, row.bias].into_iter().chain(row.value);
+        let mut parts = row.slopes.iter().copied();
+        let vanishes = |part: Id| work.graph.vanishes(part);
+        match self {
+            Self::Joint(..) => parts.chain(rest).all(vanishes),
+            Self::Written(_) => parts.all(vanishes),
+        }
+    }
+}
+
+fn ends<'a>(
+    system: &'a System,
+    work: &mut Workspace,
+    built: &Built,
+    closing: &'a Closing,
+) -> Ends<'a> {
+    let offset = |work: &mut Workspace, body: Option<usize>, place: Components| match body {
+        None => place,
+        Some(body) => work.graph.subtract_vectors(place, system.joints[body].pin),
+    };
+    Ends {
+        closing,
+        links: [closing.carrier, Some(closing.carried)].map(|body| Some(built.body(body?))),
+        offsets: [
+            offset(work, closing.carrier, closing.place),
+            offset(work, Some(closing.carried), closing.pin),
+        ],
+        is_planar: system.is_planar,
+    }
+}
+
+/// The tree with the accelerations of free links along world axes.
+pub fn moved_in_world(work: &mut Workspace, tree: &Tree) -> Tree {
+    let mut tree = tree.clone();
+    for link in tree.links.iter_mut().filter(|link| link.is_free) {
+        link.is_free = false;
+        for freedom in &mut link.freedoms {
+            freedom.twist.linear = link.turning.to_link(&mut work.graph, freedom.twist.linear);
+        }
+    }
+    tree
+}
+
+/// Place and velocity of the links that are free, world axes.
+fn free_links(
+    system: &System,
+    work: &mut Workspace,
+    built: &Built,
+) -> Vec<Option<[Components; 2]>> {
+    let mut free = vec![None; built.tree.links.len()];
+    for (number, body) in system.bodies.iter().enumerate() {
+        let link = built.body(number);
+        if built.tree.links[link].is_free {
+            let state = [body.state.position, body.state.velocity];
+            free[link] = Some(state.map(|vector| work.components(vector, Frame::WORLD)));
+        }
+    }
+    free
+}

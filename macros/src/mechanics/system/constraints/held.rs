@@ -1,0 +1,129 @@
+//! What a joint that closes a loop holds, direction by direction.
+
+use crate::mechanics::tree::turning::Turning;
+use crate::model::{Closing, Part};
+use crate::symbolic::{Components, Function, Graph, Id};
+
+/// What is held: one constraint.
+#[derive(Clone, Copy)]
+pub enum Held {
+    /// The point of the carried body, along a direction of the world.
+    Place(Components),
+    /// The same along a direction that is fixed in the carrier.
+    Across(Components),
+    /// The angle between a direction of the carrier and one of the carried body.
+    Between(Components, Components),
+    /// The place along a direction that is fixed in the carrier, by the angle about it.
+    Thread(Thread),
+}
+
+/// Of a screw.
+#[derive(Clone, Copy)]
+pub struct Thread {
+    pub axis: Components,
+    /// A direction across the axis: of the carrier, and of the carried body where both are alike at
+    /// zero.
+    pub across: [Components; 2],
+    /// Metres per radian.
+    pub pitch: Id,
+}
+
+/// The directions that a joint holds.
+pub fn held(graph: &mut Graph, closing: &Closing, is_planar: bool) -> Vec<Held> {
+    if is_planar {
+        in_plane(graph, closing)
+    } else {
+        in_space(graph, closing)
+    }
+}
+
+fn in_plane(graph: &mut Graph, closing: &Closing) -> Vec<Held> {
+    let [x, y, z] = graph.unit_vectors();
+    let pin = [Held::Place(x), Held::Place(y)];
+    let still = |graph: &mut Graph| Held::Between(at_zero(graph, closing, x), y);
+    match (closing.kind.parts, closing.directions.as_slice()) {
+        ([Part::Turn(_)], _) => pin.to_vec(),
+        ([Part::Slide(_), Part::Turn(_)], [along, normal]) => {
+            let across = graph.cross(*normal, *along);
+            vec![Held::Across(at_zero(graph, closing, across))]
+        }
+        ([Part::Slide(_)], [along, ..]) => {
+            let across = graph.cross(z, *along);
+            let across = at_zero(graph, closing, across);
+            vec![Held::Across(across), still(graph)]
+        }
+        ([], _) => [&pin[..], &[still(graph)]].concat(),
+        _ => Vec::new(),
+    }
+}
+
+fn in_space(graph: &mut Graph, closing: &Closing) -> Vec<Held> {
+    let units = graph.unit_vectors();
+    let ball = units.map(Held::Place);
+    let turned = |graph: &mut Graph, vector: Components| at_zero(graph, closing, vector);
+    let across = |graph: &mut Graph, one: Components| Held::Across(turned(graph, one));
+    let between =
+        |graph: &mut Graph, one: Components, other| Held::Between(turned(graph, one), other);
+    // all directions of both bodies stay as they are to each other
+    let still = |graph: &mut Graph| {
+        [(0, 1), (1, 2), (2, 0)].map(|(i, j)| between(graph, units[i], units[j]))
+    };
+    let mut all = Vec::new();
+    match (closing.kind.parts, closing.directions.as_slice()) {
+        ([Part::Ball], _) => all.extend(ball),
+        ([Part::Turn(_)], [axis, normals @ ..]) => {
+            all.extend(ball);
+            all.extend(normals.iter().map(|normal| between(graph, *normal, *axis)));
+        }
+        ([Part::Slide(_), Part::Turn(_)] | [Part::Screw], [axis, normals @ ..]) => {
+            for normal in normals {
+                let normal = turned(graph, *normal);
+                all.extend([Held::Across(normal), Held::Between(normal, *axis)]);
+            }
+            let first = normals.iter().zip(closing.pitch).next();
+            all.extend(first.map(|(normal, pitch)| {
+                let (axis, own) = (turned(graph, *axis), turned(graph, *normal));
+                let across = [own, *normal];
+                Held::Thread(Thread {
+                    axis,
+                    across,
+                    pitch,
+                })
+            }));
+        }
+        ([Part::Slide(_)], [_, normals @ ..]) => {
+            all.extend(normals.iter().map(|normal| across(graph, *normal)));
+            all.extend(still(graph));
+        }
+        ([Part::Slide(_), Part::Slide(_), Part::Turn(_)], [normal, along @ ..]) => {
+            all.push(across(graph, *normal));
+            all.extend(along.iter().map(|along| between(graph, *along, *normal)));
+        }
+        ([Part::Turn(0), Part::Turn(1)], [first, second, ..]) => {
+            all.extend(ball);
+            all.push(between(graph, *first, *second));
+        }
+        ([], _) => {
+            all.extend(ball);
+            all.extend(still(graph));
+        }
+        _ => {}
+    }
+    all
+}
+
+/// A vector of the carried body, in the axes of the carrier, where the coordinates are zero.
+pub fn at_zero(graph: &mut Graph, closing: &Closing, vector: Components) -> Components {
+    // the last turn is that of the carried body
+    closing
+        .turned
+        .iter()
+        .rev()
+        .fold(vector, |vector, (axis, angle)| {
+            let cosine = graph.apply(Function::Cos, &[*angle]);
+            let sine = graph.apply(Function::Sin, &[*angle]);
+            let turning = Turning::about(graph, *axis, cosine, sine);
+            let turned = turning.to_carrier(graph, vector);
+            graph.quantities(turned)
+        })
+}

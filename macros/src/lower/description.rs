@@ -3,7 +3,10 @@
 use crate::errors::{Errors, every};
 use crate::lower::definitions::{INVERSE, LINEARIZATION, check_changing, check_names, unused};
 use crate::lower::expressions::{Lowering, Members, Scope, is_drive, is_unknown};
-use crate::model::{Declared, Drawn, ENTRIES, Labels, Model, Outline, Workspace, state_symbols};
+use crate::model::{
+    Checks, Declared, Defaults, Drawn, ENTRIES, Inertia, Labels, Mass, Model, Outline, Reaction,
+    Workspace, state_symbols,
+};
 use crate::syntax::{self, Description};
 
 /// Gives a description its meaning. `None` if there was any error.
@@ -33,16 +36,7 @@ pub fn lower_description(
     };
 
     let defaults = lowering.declarations(description, outline);
-    let mass = lowering.definitions(description, &defaults);
-    let inertia = lowering.inertia(description, mass, &defaults);
-    if let Some(inertia) = inertia {
-        let known = [
-            inertia.distinct_entries(),
-            mass.known().into_iter().collect(),
-        ]
-        .concat();
-        check_changing(lowering.work, &known, outline, lowering.errors);
-    }
+    let (mass, inertia) = lowering.substance(description, outline, &defaults);
     let potentials = lowering.potentials(description);
     let [unknown, driving, known] = loads_by_kind(description);
     let is_inverse = outline.rank(INVERSE).is_some();
@@ -56,12 +50,7 @@ pub fn lower_description(
     lowering.name_reactions(description, &reactions);
     let loads = every(known.into_iter().map(|load| lowering.load(load)));
     let pole = lowering.pole(description.pole.as_ref());
-    // claims about the motion may use all solved quantities
-    lowering.is_constrained = true;
-    if !description.checks.is_empty() {
-        lowering.name_reactions(description, &reactions);
-    }
-    let checks = lowering.checks(description);
+    let checks = lowering.claims(description, &reactions);
 
     outline.unused = unused(description, &scope);
     let motion = outline.motion;
@@ -86,6 +75,38 @@ pub fn lower_description(
     };
     name_properties(&model, &mut work.labels);
     Some((model, work))
+}
+
+impl Lowering<'_> {
+    /// The mass and the inertia, which may change with some symbols alone.
+    fn substance(
+        &mut self,
+        description: &Description,
+        outline: &Outline,
+        defaults: &Defaults,
+    ) -> (Mass, Option<Inertia>) {
+        let mass = self.definitions(description, defaults);
+        let inertia = self.inertia(description, mass, defaults);
+        if let Some(inertia) = inertia {
+            let mut known = inertia.distinct_entries();
+            known.extend(mass.known());
+            check_changing(self.work, &known, outline, self.errors);
+        }
+        (mass, inertia)
+    }
+
+    /// Claims about the motion, which may use all solved quantities.
+    fn claims(
+        &mut self,
+        description: &Description,
+        reactions: &[Option<Reaction>],
+    ) -> Option<Checks> {
+        self.is_constrained = true;
+        if !description.checks.is_empty() {
+            self.name_reactions(description, reactions);
+        }
+        self.checks(description)
+    }
 }
 
 /// The loads other than fields: unknown reactions, unknown drives, and given loads.

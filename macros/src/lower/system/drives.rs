@@ -67,6 +67,29 @@ fn coordinates(joint: &TreeJoint) -> impl Iterator<Item = &'static Field> {
     fields.filter(|field| matches!(field.variable, Variable::Position | Variable::Angle))
 }
 
+/// Reports a joint on which no drive acts.
+fn check_drivable(joint: &TreeJoint, target: &Expression, errors: &mut Errors) -> Option<()> {
+    let name = &joint.name;
+    if joint.is_driven() {
+        let message = format!(
+            "`{name}` moves as is prescribed: the drive that makes it do so is found, and is a field of the \
+             reactions"
+        );
+        return errors.report(target.extent, message);
+    }
+    let message = if joint.drives.is_empty() {
+        format!("`{name}` does not move: there is nothing to drive")
+    } else if joint.kind.is_free() {
+        format!(
+            "nothing holds `{name}`: what acts on its body is a force or a moment in its braces"
+        )
+    } else {
+        return Some(());
+    };
+    let place = joint_named(target, errors)?.0.span();
+    errors.report(place, message)
+}
+
 /// The coordinates along which a drive acts: the named one, or the only one.
 fn chosen(
     joint: &TreeJoint,
@@ -76,24 +99,7 @@ fn chosen(
     errors: &mut Errors,
 ) -> Option<Vec<usize>> {
     let name = &joint.name;
-    if joint.is_driven() {
-        let message = format!(
-            "`{name}` moves as is prescribed: the drive that makes it do so is found, and is a field of the \
-             reactions"
-        );
-        return errors.report(target.extent, message);
-    }
-    if all.is_empty() || joint.kind.is_free() {
-        let place = joint_named(target, errors)?.0.span();
-        let message = if all.is_empty() {
-            format!("`{name}` does not move: there is nothing to drive")
-        } else {
-            format!(
-                "nothing holds `{name}`: what acts on its body is a force or a moment in its braces"
-            )
-        };
-        return errors.report(place, message);
-    }
+    check_drivable(joint, target, errors)?;
     let words: Vec<&str> = coordinates(joint).map(|field| field.path).collect();
     let Some(word) = word else {
         // a ball joint has no names for the components of its quaternion

@@ -39,12 +39,7 @@ pub fn lower_system(
     reader.fixed(outline, errors);
     let mut wrong = HashSet::new();
     let mut drafts = reader.drafts(&mut wrong, errors);
-    let joints = reader.joints(errors);
-    reader.check_held(&joints, &outline.kept, errors);
-    let (order, closing) = reader.tree(&joints, errors);
-    let (mut closings, joints) = reader.closings(&closing, joints, errors);
-    let joints = reader.motions(order, joints, &mut drafts);
-    reader.members.are_moving = true;
+    let (joints, mut closings) = reader.tree_and_loops(&mut drafts, &outline.kept, errors);
     reader.late_points(&mut drafts, errors);
     reader.locals(errors, true);
     reader.top_constraints(&outline.inputs, errors);
@@ -59,12 +54,7 @@ pub fn lower_system(
     });
     let checks = reader.checks(&outline.holding, errors);
     outline.unused = reader.unused(&drafts);
-    let made_of = bodies.iter().flatten().flat_map(|body| {
-        let entries = body.inertia.distinct_entries();
-        entries.into_iter().chain([body.mass])
-    });
-    let made_of: Vec<Id> = made_of.collect();
-    check_changing(&reader.work, &made_of, outline, errors);
+    check_substances(&reader.work, bodies.iter().flatten(), outline, errors);
     let (constraints, (links, lengths)) = (constraints?, reader.links(errors)?);
     let (mut bodies, mut joints, mut points, between) = (bodies?, joints?, points?, between?);
     for (body, load) in between.loads {
@@ -81,13 +71,7 @@ pub fn lower_system(
     let written = tell_frames(outline, &joints);
     outline.kept = constraints.list.iter().map(load_of).collect();
     check_loads(system, outline, &constraints.list, errors);
-    // a file may have reported the same
-    if errors.is_empty() {
-        frames::check_frames(&work, &bodies, &joints, errors);
-    }
-    if errors.is_empty() && outline.is_still() {
-        check_still(outline, errors);
-    }
+    check_motion(outline, &work, (&bodies, &joints), errors);
     let system = System {
         is_planar: system.is_planar,
         bodies,
@@ -108,6 +92,37 @@ pub fn lower_system(
         checks: checks?,
     };
     errors.is_empty().then_some((system, work))
+}
+
+/// Checks masses and inertias that change.
+fn check_substances<'b>(
+    work: &Workspace,
+    bodies: impl Iterator<Item = &'b Member>,
+    outline: &Outline,
+    errors: &mut Errors,
+) {
+    let made_of = bodies.flat_map(|body| {
+        let entries = body.inertia.distinct_entries();
+        entries.into_iter().chain([body.mass])
+    });
+    let made_of: Vec<Id> = made_of.collect();
+    check_changing(work, &made_of, outline, errors);
+}
+
+/// Checks a system without mistakes: massless bodies, and systems in which nothing moves.
+fn check_motion(
+    outline: &Outline,
+    work: &Workspace,
+    (bodies, joints): (&[Member], &[TreeJoint]),
+    errors: &mut Errors,
+) {
+    // a file may have reported the same
+    if errors.is_empty() {
+        frames::check_frames(work, bodies, joints, errors);
+    }
+    if errors.is_empty() && outline.is_still() {
+        check_still(outline, errors);
+    }
 }
 
 /// Reports outputs that have no meaning for a system in which nothing moves by itself.
@@ -173,6 +188,23 @@ fn carriers_first(
 }
 
 impl<'a> Reader<'a> {
+    /// Reads the joints, which give each body its motion: those of the tree, and those that close
+    /// loops.
+    fn tree_and_loops(
+        &mut self,
+        drafts: &mut [Draft<'a>],
+        kept: &[Ident],
+        errors: &mut Errors,
+    ) -> (Vec<TreeJoint>, Vec<Closing>) {
+        let joints = self.joints(errors);
+        self.check_held(&joints, kept, errors);
+        let (order, closing) = self.tree(&joints, errors);
+        let (closings, joints) = self.closings(&closing, joints, errors);
+        let joints = self.motions(order, joints, drafts);
+        self.members.are_moving = true;
+        (joints, closings)
+    }
+
     /// All bodies, with their points; those with errors become `wrong`.
     fn drafts(&mut self, wrong: &mut HashSet<usize>, errors: &mut Errors) -> Vec<Draft<'a>> {
         let system = self.system;

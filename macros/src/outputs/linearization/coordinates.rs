@@ -11,12 +11,7 @@ use crate::model::{AXES, Group, Outline, Variable};
 pub fn coordinated(site: &Site<'_>, in_world: &[bool]) -> TokenStream {
     let (outline, private) = (site.outline, &site.shapes.private);
     let groups = outline.tangent();
-    let is_place = |group: &&Group| !group.variable.is_rate() && group.variable != Variable::Own;
-    let places = groups.iter().filter(is_place).flat_map(|group| {
-        let is_in_world = in_world.get(group.joint).copied().unwrap_or_default();
-        let is_free = is_in_world && groups.iter().any(|other| is_position(group, other));
-        (0..group.size).map(move |part| place(group, part, [is_in_world, is_free]))
-    });
+    let places = places(&groups, in_world).into_iter();
     let places = places.map(|place| quote!(#private::Place::#place));
     let states: usize = groups.iter().map(|group| group.size).sum();
     let (states, input) = (Literal::usize_unsuffixed(states), site.input_type());
@@ -34,26 +29,7 @@ pub fn coordinated(site: &Site<'_>, in_world: &[bool]) -> TokenStream {
         let name = format_ident!("{}Input", outline.name);
         quote!(#name { #(#written)* })
     };
-    let violations = outline.is_constrained.then(|| {
-        let [time, state, each, one] = ["time", "state", "each", "violation"].map(local);
-        let (state_type, body) = (
-            site.shapes.state_type(),
-            quote!(Self as #private::Constrained),
-        );
-        quote! {
-            fn each_violation(
-                &self,
-                #time: f64,
-                #state: &#state_type,
-                #given: &#input,
-                #each: &mut dyn ::core::ops::FnMut(#private::Violation),
-            ) {
-                for #one in <#body>::violations(self, #time, #state, #given) {
-                    #each(#one);
-                }
-            }
-        }
-    });
+    let violations = outline.is_constrained.then(|| violations(site, &input));
     let arguments = quote!(<#states, #count>);
     let header = site.header_with("Coordinated", &arguments);
     quote! {
@@ -70,6 +46,38 @@ pub fn coordinated(site: &Site<'_>, in_world: &[bool]) -> TokenStream {
             #violations
         }
     }
+}
+
+/// `each_violation` of a body under constraints.
+fn violations(site: &Site<'_>, input: &TokenStream) -> TokenStream {
+    let (state_type, private) = (site.shapes.state_type(), &site.shapes.private);
+    let [time, state, given] = ["time", "state", "input"].map(local);
+    let [each, one] = ["each", "violation"].map(local);
+    let body = quote!(Self as #private::Constrained);
+    quote! {
+        fn each_violation(
+            &self,
+            #time: f64,
+            #state: &#state_type,
+            #given: &#input,
+            #each: &mut dyn ::core::ops::FnMut(#private::Violation),
+        ) {
+            for #one in <#body>::violations(self, #time, #state, #given) {
+                #each(#one);
+            }
+        }
+    }
+}
+
+/// What each coordinate is.
+fn places(groups: &[Group], in_world: &[bool]) -> Vec<TokenStream> {
+    let is_place = |group: &&Group| !group.variable.is_rate() && group.variable != Variable::Own;
+    let places = groups.iter().filter(is_place).flat_map(|group| {
+        let is_in_world = in_world.get(group.joint).copied().unwrap_or_default();
+        let is_free = is_in_world && groups.iter().any(|other| is_position(group, other));
+        (0..group.size).map(move |part| place(group, part, [is_in_world, is_free]))
+    });
+    places.collect()
 }
 
 /// Whether a group is the position of the body that another turns.

@@ -32,12 +32,8 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
         "constants" => into.constants.push(parse_constant(name, rest, errors)),
         "params" => {
             let param = parse_declaration(name, key, rest, errors);
-            if let Some(word) = &param.moving {
-                errors.push(
-                    word.span(),
-                    "a param is constant: leave `.moving` out, or make it an input",
-                );
-            }
+            let message = "a param is constant: leave `.moving` out, or make it an input";
+            check_not_moving(&param, message, errors);
             into.params.push(param);
         }
         "inputs" => {
@@ -49,12 +45,9 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
         }
         "states" => {
             let state = parse_declaration(name, key, rest, errors);
-            if let Some(word) = &state.moving {
-                errors.push(
-                    word.span(),
-                    "a state changes by its rate, which stands in `rates`: leave `.moving` out",
-                );
-            }
+            let message =
+                "a state changes by its rate, which stands in `rates`: leave `.moving` out";
+            check_not_moving(&state, message, errors);
             into.states.push(state);
         }
         "rates" => into.rates.push(parse_definition(name, rest, errors)),
@@ -81,6 +74,12 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
             let load = parse_load(name, value, family(loads), errors);
             into.loads.push(load);
         }
+    }
+}
+
+fn check_not_moving(declaration: &Declaration, message: &str, errors: &mut Errors) {
+    if let Some(word) = &declaration.moving {
+        errors.push(word.span(), message);
     }
 }
 

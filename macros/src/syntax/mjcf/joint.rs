@@ -102,27 +102,7 @@ impl Reader<'_> {
         } else {
             self.motion(&element)?
         };
-        let nothing = &["0"];
-        let friction = "dry friction is not read: set it to 0, and write it in `drives`";
-        let timed = "springs that are given by times are not read: write `stiffness` and `damping`";
-        self.refuse(
-            &element,
-            &[
-                ("frictionloss", nothing, friction),
-                ("springdamper", nothing, timed),
-            ],
-        );
-        if kind == Motion::Ball || kind == Motion::Free {
-            let why = "a spring of a joint of several coordinates is not read: set it to 0";
-            self.refuse(
-                &element,
-                &[("stiffness", nothing, why), ("armature", nothing, ARMATURE)],
-            );
-        }
-        if kind == Motion::Free {
-            let why = "damping of a free body is not read: set it to 0, and write it in `forces`";
-            self.refuse(&element, &[("damping", nothing, why)]);
-        }
+        self.refuse_loads(&element, kind);
         let axis = self.triple(&element, "axis", "0 0 1");
         if matches!(kind, Motion::Hinge | Motion::Slide) {
             self.has_direction(&element, "axis", &axis);
@@ -156,6 +136,31 @@ impl Reader<'_> {
             locked,
             extent: self.at(node),
         })
+    }
+
+    /// Reports loads along a joint that are not read.
+    fn refuse_loads(&mut self, element: &Element<'_, '_>, kind: Motion) {
+        let nothing = &["0"];
+        let friction = "dry friction is not read: set it to 0, and write it in `drives`";
+        let timed = "springs that are given by times are not read: write `stiffness` and `damping`";
+        self.refuse(
+            element,
+            &[
+                ("frictionloss", nothing, friction),
+                ("springdamper", nothing, timed),
+            ],
+        );
+        if kind == Motion::Ball || kind == Motion::Free {
+            let why = "a spring of a joint of several coordinates is not read: set it to 0";
+            self.refuse(
+                element,
+                &[("stiffness", nothing, why), ("armature", nothing, ARMATURE)],
+            );
+        }
+        if kind == Motion::Free {
+            let why = "damping of a free body is not read: set it to 0, and write it in `forces`";
+            self.refuse(element, &[("damping", nothing, why)]);
+        }
     }
 
     fn motion(&mut self, element: &Element<'_, '_>) -> Option<Motion> {

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::errors::{Errors, hint, hint_of_joint};
 use crate::lower::expressions::{JointNames, Value};
-use crate::model::{Dimension, Frame, Holds, JointKind, Rates};
+use crate::model::{Dimension, Frame, Holds, JointKind, Rates, Variable};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{CABLE, Called, Definition, Expression, Kind, LINK, call};
 
@@ -28,6 +28,18 @@ pub struct Written {
     pub armature: Option<Id>,
     /// The place of the name of the carried body.
     pub mention: proc_macro2::Span,
+}
+
+impl Written {
+    /// The acceleration along a freedom, given as its rate, if it is prescribed.
+    pub fn given(&self, (rate, part): (Variable, usize)) -> Option<Id> {
+        let acceleration = match rate {
+            Variable::Velocity => Variable::LinearAcceleration,
+            _ => Variable::AngularAcceleration,
+        };
+        let driven = self.driven.as_ref();
+        driven.and_then(|rates| rates.get(acceleration, part))
+    }
 }
 
 /// A point of a body, by its index, or of the ground, and its offset there.

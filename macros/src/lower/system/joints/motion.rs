@@ -83,21 +83,12 @@ impl Reader<'_> {
         self.tell_of(written.carried, &state);
         drafts[written.carried].state = Some(state);
         self.define_attitude(&mut drafts[written.carried], kind.has_attitude());
-        let turns = kind
-            .parts
-            .iter()
-            .any(|part| !matches!(part, Part::Slide(_)));
+        let turns = kind.turns();
         let is_carried = written.carrier.is_some_and(|carrier| self.turning[carrier]);
         self.turning[written.carried] = turns || is_carried;
         let freedoms = kind.freedoms(self.system.is_planar);
-        let given = freedoms.iter().map(|(variable, part)| {
-            let acceleration = match variable {
-                Variable::Velocity => Variable::LinearAcceleration,
-                _ => Variable::AngularAcceleration,
-            };
-            let driven = written.driven.as_ref();
-            driven.and_then(|rates| rates.get(acceleration, *part))
-        });
+        let given = freedoms.iter().map(|freedom| written.given(*freedom));
+        let given = given.collect();
         TreeJoint {
             name: written.name,
             kind,
@@ -110,7 +101,7 @@ impl Reader<'_> {
             turned: written.turned,
             frames,
             coordinates,
-            given: given.collect(),
+            given,
             armature: written.armature,
             drives: vec![self.work.graph.zero(); freedoms.len()],
             driven_by: Vec::new(),

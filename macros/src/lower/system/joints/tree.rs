@@ -15,48 +15,22 @@ impl Reader<'_> {
         errors: &mut Errors,
     ) -> (Vec<usize>, Vec<usize>) {
         let bodies = &self.system.bodies;
-        let mut carried_by: Vec<Option<usize>> = vec![None; bodies.len()];
         let is_lost = self.system.has_lost_joints || self.system.has_lost_bodies;
-        let mut closing = Vec::new();
         let mut is_sound = joints.iter().all(Option::is_some) && !is_lost;
-        for (index, joint) in joints.iter().enumerate() {
-            let Some(joint) = joint else { continue };
-            let body = &bodies[joint.carried].name;
-            match carried_by[joint.carried].and_then(|other| joints[other].as_ref()) {
-                None => carried_by[joint.carried] = Some(index),
-                Some(other) => match may_close(joint) {
-                    Ok(()) => closing.push(index),
-                    Err(reason) => {
-                        is_sound = false;
-                        errors.push(
-                            joint.mention,
-                            format!(
-                                "`{body}` is carried by `{}` already, and {reason}",
-                                other.name
-                            ),
-                        );
-                    }
-                },
-            }
-        }
-        if bodies.is_empty() && errors.is_empty() {
-            let name = &self.system.top.name;
-            errors.push(
-                name.span(),
-                format!("`{name}` has no bodies: write `bodies: [arm {{ .. }}]`"),
-            );
-        }
+        let (carried_by, closing) = self.carriers(joints, &mut is_sound, errors);
         // the error in a joint may be that it names no body
         if is_sound {
-            for (body, carried) in bodies.iter().zip(&carried_by) {
-                if carried.is_none() {
-                    let name = &body.name;
-                    errors.push(
-                        name.span(),
-                        format!("nothing carries `{name}`: write a joint of it, such as `orbit = free({name})`"),
-                    );
-                    is_sound = false;
-                }
+            for (body, _) in bodies
+                .iter()
+                .zip(&carried_by)
+                .filter(|(_, by)| by.is_none())
+            {
+                let name = &body.name;
+                errors.push(
+                    name.span(),
+                    format!("nothing carries `{name}`: write a joint of it, such as `orbit = free({name})`"),
+                );
+                is_sound = false;
             }
         }
         let (order, placed) = in_order(joints, &carried_by);
@@ -74,6 +48,43 @@ impl Reader<'_> {
             );
         }
         (order, closing)
+    }
+
+    /// The joint that carries each body, and the joints that close loops.
+    fn carriers(
+        &self,
+        joints: &[Option<Written>],
+        is_sound: &mut bool,
+        errors: &mut Errors,
+    ) -> (Vec<Option<usize>>, Vec<usize>) {
+        let bodies = &self.system.bodies;
+        let mut carried_by: Vec<Option<usize>> = vec![None; bodies.len()];
+        let mut closing = Vec::new();
+        for (index, joint) in joints.iter().enumerate() {
+            let Some(joint) = joint else { continue };
+            let body = &bodies[joint.carried].name;
+            match carried_by[joint.carried].and_then(|other| joints[other].as_ref()) {
+                None => carried_by[joint.carried] = Some(index),
+                Some(other) => match may_close(joint) {
+                    Ok(()) => closing.push(index),
+                    Err(reason) => {
+                        *is_sound = false;
+                        let other = &other.name;
+                        let message =
+                            format!("`{body}` is carried by `{other}` already, and {reason}");
+                        errors.push(joint.mention, message);
+                    }
+                },
+            }
+        }
+        if bodies.is_empty() && errors.is_empty() {
+            let name = &self.system.top.name;
+            errors.push(
+                name.span(),
+                format!("`{name}` has no bodies: write `bodies: [arm {{ .. }}]`"),
+            );
+        }
+        (carried_by, closing)
     }
 }
 

@@ -88,7 +88,8 @@ macro_rules! plain {
             fn keep(coordinates: &Self::Array, change: &mut Self::Array) {
                 shorten(&coordinates[$unit], &mut change[$unit]);
                 $(level(coordinates, change, $unit, $rate);)?
-            })?
+            }
+            )?
         }
     )*};
 }

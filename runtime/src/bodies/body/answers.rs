@@ -63,61 +63,6 @@ pub trait Energy: RigidBody {
     ) -> Self::Scalar;
 }
 
-/// [`Energy`] of a system with joints of prescribed motion, `.driven(speed * t)`: it depends on
-/// time and on inputs.
-///
-/// The drives of these joints do work on the system: with loads M and rates w, they supply the
-/// power `M w`.
-pub trait DrivenEnergy: RigidBody {
-    /// `½ m v² + ½ ω·Jω` of all bodies.
-    fn kinetic_energy(
-        &self,
-        time: Self::Scalar,
-        state: &Self::State,
-        input: &Self::Input,
-    ) -> Self::Scalar;
-
-    /// As [`Energy::potential_energy`].
-    fn potential_energy(
-        &self,
-        time: Self::Scalar,
-        state: &Self::State,
-        input: &Self::Input,
-    ) -> Self::Scalar;
-}
-
-/// [`Momentum`] of a system with joints of prescribed motion: it depends on time and on inputs.
-pub trait DrivenMomentum: RigidBody {
-    /// A vector in space or in the plane.
-    type Linear;
-    /// A vector, or in the plane a scalar.
-    type Angular;
-
-    /// `P = Σ m v_G` \[kg m/s\].
-    fn linear_momentum(
-        &self,
-        time: Self::Scalar,
-        state: &Self::State,
-        input: &Self::Input,
-    ) -> Self::Linear;
-
-    /// Angular momentum about the G of the whole system \[kg m²/s\].
-    fn angular_momentum(
-        &self,
-        time: Self::Scalar,
-        state: &Self::State,
-        input: &Self::Input,
-    ) -> Self::Angular;
-
-    /// Angular momentum about the origin of the world \[kg m²/s\].
-    fn angular_momentum_about_pole(
-        &self,
-        time: Self::Scalar,
-        state: &Self::State,
-        input: &Self::Input,
-    ) -> Self::Angular;
-}
-
 /// Momenta of the absolute velocities, world axes.
 ///
 /// About a pole O moving with `v_O`, the angular momentum obeys `dL_O/dt = M_O - v_O × P`.
@@ -233,73 +178,6 @@ pub trait Inverse: RigidBody {
         acceleration: &<Self::State as State>::Acceleration,
         input: &Self::Input,
     ) -> Self::Drives;
-}
-
-/// The mass matrix of a system, `outputs: [mass_matrix]`: the equations of motion before they are
-/// solved.
-///
-/// ```text
-/// M q'' = f        M: inertias, symmetric and positive definite
-/// ```
-///
-/// Rows and columns are in the order of the numbers of the acceleration
-/// ([`Columns`](crate::columns::Columns)): joint by joint as they are written; for a free body G
-/// along world axes, then the rotation along body axes.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no `mass_matrix`",
-    label = "not among the `outputs` of its description",
-    note = "write `outputs: [.., mass_matrix]`"
-)]
-pub trait MassMatrix: RigidBody {
-    /// A square matrix.
-    type Matrix;
-    /// A column.
-    type Forces;
-
-    /// M: \[kg\] between slides, \[kg m²\] between hinges, \[kg m\] between both.
-    fn mass_matrix(
-        &self,
-        time: Self::Scalar,
-        state: &Self::State,
-        input: &Self::Input,
-    ) -> Self::Matrix;
-
-    /// f \[N, N m\]: drives and loads along each degree of freedom, minus the Coriolis and
-    /// centrifugal terms.
-    fn generalized_forces(
-        &self,
-        time: Self::Scalar,
-        state: &Self::State,
-        input: &Self::Input,
-    ) -> Self::Forces;
-}
-
-/// Jacobians of points of a system, `outputs: [jacobian(arm.tip)]`.
-///
-/// ```text
-/// (v_P, w) = J q'        v_P: velocity of the point, w: angular velocity of its body, world axes
-/// ```
-///
-/// A force F and a moment M on the body at P act along the joint coordinates as `Jᵀ (F, M)`.
-/// A driven joint has no column.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no `jacobian(P)`",
-    label = "not among the `outputs` of its description",
-    note = "write `outputs: [.., jacobian(P)]`"
-)]
-pub trait Jacobian: RigidBody {
-    /// One field for each point, `arm_tip`: a matrix of six rows, in the plane three (x, y, angle),
-    /// and a column for each rate of the state, joint by joint, in the order of
-    /// [`Columns`](crate::columns::Columns) of the acceleration.
-    type Jacobians;
-
-    /// The Jacobians of all requested points.
-    fn jacobian(
-        &self,
-        time: Self::Scalar,
-        state: &Self::State,
-        input: &Self::Input,
-    ) -> Self::Jacobians;
 }
 
 /// The loads of a motion by inertial parameter, `outputs: [regressor]`: the equations of motion

@@ -18,13 +18,12 @@
 
 mod answers;
 mod invalid;
+mod of_systems;
 mod rigid_body;
 mod singular;
 
-pub use answers::{
-    Balance, DrivenEnergy, DrivenMomentum, Energy, Flow, Inverse, Jacobian, MassMatrix, Momentum,
-    Reactions, Regressor,
-};
+pub use answers::{Balance, Energy, Flow, Inverse, Momentum, Reactions, Regressor};
 pub use invalid::{Impossible, InvalidBody};
+pub use of_systems::{DrivenEnergy, DrivenMomentum, Jacobian, MassMatrix};
 pub use rigid_body::RigidBody;
 pub use singular::Singular;

@@ -16,6 +16,7 @@
 
 mod conditions;
 mod coordinated;
+mod here;
 mod least_change;
 mod matrices;
 mod modes;

@@ -237,6 +237,20 @@ impl<B, C> Steady<'_, B, C> {
                 }
             }
         }
+        self.measured_by_rates(state, components, &mut rows[..kept]);
+        first + kept
+    }
+
+    /// Of constraints, the derivatives by rates, and of those of positions by coordinates.
+    fn measured_by_rates<const N: usize, const M: usize>(
+        &self,
+        state: &B::State,
+        components: &[f64; M],
+        rows: &mut [Asked<N, M>],
+    ) where
+        B: Coordinated<N, M>,
+        C: Conditions<B::State, B::Input>,
+    {
         let places = B::PLACES.len();
         let mut rest = SVector::<f64, N>::zeros();
         let values = tangent::values::<_, N>(state, &Vector3::zeros());
@@ -249,7 +263,7 @@ impl<B, C> Steady<'_, B, C> {
                 SVector::<f64, N>::from_fn(|row, _| f64::from(u8::from(row == place + places)));
             let (moving, _) = self.measure(&tangent::moved(&rest, &rate), components);
             let pairs = moving.list().iter().zip(still.list());
-            for (row, (moving, still)) in rows.iter_mut().zip(pairs).take(kept) {
+            for (row, (moving, still)) in rows.iter_mut().zip(pairs) {
                 match moving.rate.zip(still.rate) {
                     Some((moving, still)) => row.equation.by.state[place] = moving - still,
                     None => {
@@ -258,7 +272,6 @@ impl<B, C> Steady<'_, B, C> {
                 }
             }
         }
-        first + kept
     }
 
     /// Constraints, followed by conditions; also the number of constraints.

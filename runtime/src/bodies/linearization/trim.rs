@@ -7,12 +7,13 @@ use nalgebra::{Const, DefaultAllocator, DimDiff, DimSub, SMatrix, SVector, U1, V
 
 use super::conditions::{Condition, Conditions};
 use super::coordinated::Coordinated;
-use super::least_change::{Change, Equation, Least, least_change};
+use super::here::{Here, TOLERANCE, few};
+use super::least_change::Change;
 use super::matrices::Linearized;
 use super::modes::{Modes, restricted};
-use super::steady::{About, Asked, Steady};
+use super::steady::{About, Steady};
 use super::tangent;
-use super::trim_error::{FEW, Off, TrimError};
+use super::trim_error::TrimError;
 
 /// Steady motions and equilibria of bodies and systems with `outputs: [linearization]`.
 ///
@@ -179,7 +180,7 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         if self.steady.turning.is_some() && !B::PLACES.iter().any(|place| place.turns()) {
             return Err(TrimError::NothingTurns);
         }
-        let mut here = self.about(self.state.clone(), self.input);
+        let mut here = Here::of(&self.steady, self.state.clone(), self.input);
         if here.about.rows.is_full() || here.about.kept.len() > N {
             return Err(TrimError::TooMany);
         }
@@ -203,31 +204,6 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         self.end(here)
     }
 
-    /// The equations about a state and an input, and their residual.
-    fn about(&self, state: B::State, input: [f64; M]) -> Here<B, N, M>
-    where
-        C: Conditions<B::State, B::Input>,
-    {
-        let about = self.steady.about::<N, M>(&state, &input);
-        let sizes = sizes(&about);
-        let rows = about.rows.list().iter().zip(sizes.as_flattened());
-        let worst = rows.map(|(row, size)| relative(row.equation.value, *size));
-        let worst = worst.fold(0.0_f64, |worst, one| {
-            if one > worst || one.is_nan() {
-                one
-            } else {
-                worst
-            }
-        });
-        Here {
-            state,
-            input,
-            about,
-            sizes,
-            worst,
-        }
-    }
-
     /// A step that reduces the residual; or the end, if there is none.
     fn step(&self, here: Here<B, N, M>) -> ControlFlow<Here<B, N, M>, Here<B, N, M>>
     where
@@ -242,7 +218,7 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         for _ in 0..HALVINGS {
             let input = core::array::from_fn(|i| here.input[i] + part * change.input[i]);
             let state = tangent::moved(&here.state, &(change.state * part));
-            let there = self.about(state, input);
+            let there = Here::of(&self.steady, state, input);
             if there.merit(&here.sizes) < merit {
                 let is_rounding = here.worst <= TOLERANCE && there.worst > 0.5 * here.worst;
                 return if is_rounding {
@@ -277,13 +253,7 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
                 linearization: here.about.linearization,
             });
         }
-        let (rows, sizes) = (here.about.rows.list(), here.sizes.as_flattened());
-        let names = rows.iter().zip(sizes);
-        let residual = few(names.map(|(row, size)| {
-            let by = row.equation.value;
-            let name = row.name;
-            (Off { name, by }, relative(by, *size))
-        }));
+        let residual = here.residual();
         // a solution that needs large rotations is not found
         let mut free = self.free;
         for (place, kind) in B::PLACES.iter().enumerate() {
@@ -311,90 +281,6 @@ const HALVINGS: usize = 40;
 
 /// The largest angle of a step \[rad\]: beyond it, sines are far from linear.
 const TURN: f64 = 1.0;
-
-/// A residual of an equation is a failure above this fraction of the terms of its sum. The steps
-/// continue to rounding in any case: this number decides only whether they succeeded.
-const TOLERANCE: f64 = 1e-9;
-
-/// The size of an equation is at least this fraction of the largest.
-const ROUNDING: f64 = 1e-6;
-
-/// The sizes of the terms of the equations, one for all equations of a unit.
-fn sizes<L, const N: usize, const M: usize>(about: &About<L, N, M>) -> [[f64; 3]; N] {
-    let mut sizes = [[0.0_f64; 3]; N];
-    let rows = about.rows.list();
-    let size = |row: &Asked<N, M>| {
-        let terms = row.equation.by.map(f64::abs).dot(&about.reach);
-        terms + row.equation.value.abs()
-    };
-    let largest = rows.iter().map(size).fold(0.0, f64::max);
-    for (row, to) in rows.iter().zip(sizes.as_flattened_mut()) {
-        let alike = rows
-            .iter()
-            .filter(|other| row.is_angle.is_some() && row.is_angle == other.is_angle);
-        let alike = alike.map(size).fold(size(row), f64::max);
-        *to = alike.max(ROUNDING * largest);
-    }
-    sizes
-}
-
-/// A value as a fraction of its size; zero is zero at any size.
-fn relative(value: f64, size: f64) -> f64 {
-    if value == 0.0 {
-        0.0
-    } else {
-        value.abs() / size
-    }
-}
-
-/// The largest entries, in descending order, without those that are rounding next to the largest.
-fn few<T: Copy>(all: impl Iterator<Item = (T, f64)>) -> [Option<T>; FEW] {
-    let mut found: [Option<(T, f64)>; FEW] = [None; FEW];
-    for mut one in all.map(Some) {
-        for place in &mut found {
-            let size = |one: &Option<(T, f64)>| one.map_or(0.0, |(_, size)| size);
-            if size(&one) > size(place) {
-                core::mem::swap(&mut one, place);
-            }
-        }
-    }
-    let largest = found[0].map_or(0.0, |(_, size)| size);
-    found.map(|one| {
-        one.filter(|(_, size)| *size > TOLERANCE * largest)
-            .map(|(one, _)| one)
-    })
-}
-
-/// The current point of a search.
-struct Here<B: Coordinated<N, M>, const N: usize, const M: usize> {
-    state: B::State,
-    input: [f64; M],
-    about: About<B::Linearization, N, M>,
-    /// The sizes of the terms of each equation.
-    sizes: [[f64; 3]; N],
-    worst: f64,
-}
-
-impl<B: Coordinated<N, M>, const N: usize, const M: usize> Here<B, N, M> {
-    /// The residual, in units of these sizes.
-    fn merit(&self, sizes: &[[f64; 3]; N]) -> f64 {
-        let rows = self.about.rows.list().iter().zip(sizes.as_flattened());
-        let relative = rows.map(|(row, size)| relative(row.equation.value, *size));
-        relative.map(|relative| relative * relative).sum()
-    }
-
-    fn least(&self, free: &Change<N, M>) -> Least<N, M> {
-        let rows = self.about.rows.list().iter().zip(self.sizes.as_flattened());
-        let scaled = rows.map(|(row, size)| {
-            let factor = if *size > 0.0 { 1.0 / size } else { 0.0 };
-            Equation {
-                value: row.equation.value * factor,
-                by: row.equation.by.map(|entry| entry * factor),
-            }
-        });
-        least_change(scaled, free)
-    }
-}
 
 /// A steady motion.
 #[derive(Clone, Copy, Debug)]

@@ -134,101 +134,103 @@ macro_rules! __written {
             }
         }
 
-        impl<'de, $($generic: $crate::private::Scalar + $crate::private::serde::Deserialize<'de>)?>
-            $crate::private::serde::Deserialize<'de> for $name<$($generic)?>
-        {
-            fn deserialize<SystemDeserializer: $crate::private::serde::Deserializer<'de>>(
-                deserializer: SystemDeserializer,
-            ) -> ::core::result::Result<Self, SystemDeserializer::Error> {
-                // what has been read
-                #[allow(non_snake_case, clippy::struct_field_names)]
-                struct SystemVisitor<$($generic: $crate::private::Scalar)?> {
-                    $($field: ::core::option::Option<$part>,)+
-                }
-
-                impl<$($generic: $crate::private::Scalar)?> SystemVisitor<$($generic)?> {
-                    const NAME: &str =
-                        $crate::private::system::bare(::core::stringify!($name));
-                    const NAMES: &[&str] =
-                        &[$($crate::private::system::bare(::core::stringify!($field)),)+];
-                }
-
-                impl<
-                    'de,
-                    $($generic: $crate::private::Scalar + $crate::private::serde::Deserialize<'de>)?
-                > $crate::private::serde::de::Visitor<'de> for SystemVisitor<$($generic)?> {
-                    type Value = $name<$($generic)?>;
-
-                    fn expecting(
-                        &self,
-                        f: &mut ::core::fmt::Formatter<'_>,
-                    ) -> ::core::fmt::Result {
-                        ::core::write!(f, "struct {}", Self::NAME)
-                    }
-
-                    fn visit_seq<SystemFields: $crate::private::serde::de::SeqAccess<'de>>(
-                        self,
-                        mut fields: SystemFields,
-                    ) -> ::core::result::Result<Self::Value, SystemFields::Error> {
-                        let mut place = 0;
-                        let read = $name {
-                            $($field: $crate::private::system::next(
-                                &mut fields,
-                                &mut place,
-                                &self,
-                            )?,)+
-                        };
-                        $($check(&read)?;)?
-                        ::core::result::Result::Ok(read)
-                    }
-
-                    fn visit_map<SystemFields: $crate::private::serde::de::MapAccess<'de>>(
-                        mut self,
-                        mut fields: SystemFields,
-                    ) -> ::core::result::Result<Self::Value, SystemFields::Error> {
-                        while let ::core::option::Option::Some(found) =
-                            $crate::private::serde::de::MapAccess::next_key_seed(
-                                &mut fields,
-                                $crate::private::system::Name(Self::NAMES),
-                            )?
-                        {
-                            $(
-                                let name = const {
-                                    $crate::private::system::bare(::core::stringify!($field))
-                                };
-                                if found == ::core::option::Option::Some(name) {
-                                    $crate::private::system::fill(
-                                        &mut self.$field,
-                                        name,
-                                        &mut fields,
-                                    )?;
-                                    continue;
-                                }
-                            )+
-                            $crate::private::system::ignore(&mut fields)?;
-                        }
-                        let read = $name {
-                            $($field: $crate::private::system::found(
-                                self.$field,
-                                const {
-                                    $crate::private::system::bare(::core::stringify!($field))
-                                },
-                            )?,)+
-                        };
-                        $($check(&read)?;)?
-                        ::core::result::Result::Ok(read)
-                    }
-                }
-
-                let nothing: SystemVisitor<$($generic)?> =
-                    SystemVisitor { $($field: ::core::option::Option::None,)+ };
-                $crate::private::serde::Deserializer::deserialize_struct(
-                    deserializer,
-                    SystemVisitor::<$($generic)?>::NAME,
-                    SystemVisitor::<$($generic)?>::NAMES,
-                    nothing,
-                )
+        const _: () = {
+            // what has been read
+            #[allow(non_snake_case, clippy::struct_field_names)]
+            struct SystemVisitor<$($generic: $crate::private::Scalar)?> {
+                $($field: ::core::option::Option<$part>,)+
             }
-        }
+
+            impl<$($generic: $crate::private::Scalar)?> SystemVisitor<$($generic)?> {
+                const NAME: &str =
+                    $crate::private::system::bare(::core::stringify!($name));
+                const NAMES: &[&str] =
+                    &[$($crate::private::system::bare(::core::stringify!($field)),)+];
+            }
+
+            impl<
+                'de,
+                $($generic: $crate::private::Scalar + $crate::private::serde::Deserialize<'de>)?
+            > $crate::private::serde::de::Visitor<'de> for SystemVisitor<$($generic)?> {
+                type Value = $name<$($generic)?>;
+
+                fn expecting(
+                    &self,
+                    f: &mut ::core::fmt::Formatter<'_>,
+                ) -> ::core::fmt::Result {
+                    ::core::write!(f, "struct {}", Self::NAME)
+                }
+
+                fn visit_seq<SystemFields: $crate::private::serde::de::SeqAccess<'de>>(
+                    self,
+                    mut fields: SystemFields,
+                ) -> ::core::result::Result<Self::Value, SystemFields::Error> {
+                    let mut place = 0;
+                    let read = $name {
+                        $($field: $crate::private::system::next(
+                            &mut fields,
+                            &mut place,
+                            &self,
+                        )?,)+
+                    };
+                    $($check(&read)?;)?
+                    ::core::result::Result::Ok(read)
+                }
+
+                fn visit_map<SystemFields: $crate::private::serde::de::MapAccess<'de>>(
+                    mut self,
+                    mut fields: SystemFields,
+                ) -> ::core::result::Result<Self::Value, SystemFields::Error> {
+                    while let ::core::option::Option::Some(found) =
+                        $crate::private::serde::de::MapAccess::next_key_seed(
+                            &mut fields,
+                            $crate::private::system::Name(Self::NAMES),
+                        )?
+                    {
+                        $(
+                            let name = const {
+                                $crate::private::system::bare(::core::stringify!($field))
+                            };
+                            if found == ::core::option::Option::Some(name) {
+                                $crate::private::system::fill(
+                                    &mut self.$field,
+                                    name,
+                                    &mut fields,
+                                )?;
+                                continue;
+                            }
+                        )+
+                        $crate::private::system::ignore(&mut fields)?;
+                    }
+                    let read = $name {
+                        $($field: $crate::private::system::found(
+                            self.$field,
+                            const {
+                                $crate::private::system::bare(::core::stringify!($field))
+                            },
+                        )?,)+
+                    };
+                    $($check(&read)?;)?
+                    ::core::result::Result::Ok(read)
+                }
+            }
+
+            impl<'de, $($generic: $crate::private::Scalar + $crate::private::serde::Deserialize<'de>)?>
+                $crate::private::serde::Deserialize<'de> for $name<$($generic)?>
+            {
+                fn deserialize<SystemDeserializer: $crate::private::serde::Deserializer<'de>>(
+                    deserializer: SystemDeserializer,
+                ) -> ::core::result::Result<Self, SystemDeserializer::Error> {
+                    let nothing: SystemVisitor<$($generic)?> =
+                        SystemVisitor { $($field: ::core::option::Option::None,)+ };
+                    $crate::private::serde::Deserializer::deserialize_struct(
+                        deserializer,
+                        SystemVisitor::<$($generic)?>::NAME,
+                        SystemVisitor::<$($generic)?>::NAMES,
+                        nothing,
+                    )
+                }
+            }
+        };
     };
 }

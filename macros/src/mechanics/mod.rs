@@ -24,8 +24,8 @@ pub use answers::{
 pub use balances::uniform_field;
 pub use closed_forms::{Flow, Free, Rotation, derive_flow};
 pub use linearization::{
-    Block, Column, Linearization, Row, linearize_body, linearize_system, sensitivity_of_body,
-    sensitivity_of_system,
+    Block, Column, Differentiated, Linearization, Row, Tangent, differentiated_body,
+    differentiated_system, linearize, sensitivity,
 };
 pub use structure::{Dependence, QUANTITIES, Structure, Symmetry};
 pub use system::{

@@ -5,13 +5,13 @@ use crate::emit::items::Equated;
 use crate::errors::{Errors, Extent};
 use crate::families::Family;
 use crate::mechanics::{
-    Balance, Consistency, Energy, Equations, Linearization, Momentum, Reach, Regressor, Report,
-    SystemEquations, Taylor, check_followers, derive_balance, derive_energy, derive_equations,
-    derive_momentum, derive_reach, derive_regressor, derive_system, derive_system_balances,
-    derive_system_consistency, derive_system_energy, derive_system_held, derive_system_momentum,
-    derive_system_regressors, derive_system_taylor, derive_taylor, describe_equations,
-    describe_system, linearize_body, linearize_system, sensitivity_of_body, sensitivity_of_system,
-    uniform_field, with_potentials, with_system_potentials,
+    Balance, Consistency, Differentiated, Energy, Equations, Momentum, Reach, Regressor, Report,
+    SystemEquations, Tangent, Taylor, check_followers, derive_balance, derive_energy,
+    derive_equations, derive_momentum, derive_reach, derive_regressor, derive_system,
+    derive_system_balances, derive_system_consistency, derive_system_energy, derive_system_held,
+    derive_system_momentum, derive_system_regressors, derive_system_taylor, derive_taylor,
+    describe_equations, describe_system, differentiated_body, differentiated_system, uniform_field,
+    with_potentials, with_system_potentials,
 };
 use crate::model::{
     Checks, Defaults, Frame, Load, Model, Outline, Own, Property, Substance, System, Workspace,
@@ -19,7 +19,7 @@ use crate::model::{
 use crate::symbolic::Id;
 
 /// A single body, or a system.
-pub trait Subject: Sized + 'static {
+pub trait Subject: Tangent + Sized + 'static {
     type Equations;
 
     /// Its equations of motion, with potentials turned into loads. `None` if there are none, as the
@@ -99,20 +99,8 @@ pub trait Subject: Sized + 'static {
         errors: &mut Errors,
     ) -> Option<Taylor>;
 
-    fn linearization(
-        &self,
-        outline: &Outline,
-        work: &mut Workspace,
-        equations: &Self::Equations,
-    ) -> Linearization;
-
-    /// What the accelerations change by with parameters.
-    fn sensitivity(
-        &self,
-        outline: &Outline,
-        work: &mut Workspace,
-        equations: &Self::Equations,
-    ) -> Linearization;
+    /// What a linearization differentiates.
+    fn differentiated(&self, work: &mut Workspace, equations: &Self::Equations) -> Differentiated;
 
     /// Those of each body, in the order in which the outline has them.
     fn regressors(
@@ -213,22 +201,8 @@ impl Subject for Model {
         )
     }
 
-    fn linearization(
-        &self,
-        outline: &Outline,
-        work: &mut Workspace,
-        equations: &Equations,
-    ) -> Linearization {
-        linearize_body(outline, self, work, equations.accelerations)
-    }
-
-    fn sensitivity(
-        &self,
-        outline: &Outline,
-        work: &mut Workspace,
-        equations: &Equations,
-    ) -> Linearization {
-        sensitivity_of_body(outline, self, work, equations.accelerations)
+    fn differentiated(&self, _: &mut Workspace, equations: &Equations) -> Differentiated {
+        differentiated_body(self, equations.accelerations)
     }
 
     fn regressors(&self, _: &Outline, work: &mut Workspace, _: &Equations) -> Vec<Regressor> {
@@ -338,22 +312,8 @@ impl Subject for System {
         derive_system_taylor(self, work, asked, &equations.accelerations, errors)
     }
 
-    fn linearization(
-        &self,
-        outline: &Outline,
-        work: &mut Workspace,
-        equations: &SystemEquations,
-    ) -> Linearization {
-        linearize_system(outline, self, work, equations)
-    }
-
-    fn sensitivity(
-        &self,
-        outline: &Outline,
-        work: &mut Workspace,
-        equations: &SystemEquations,
-    ) -> Linearization {
-        sensitivity_of_system(outline, self, work, equations)
+    fn differentiated(&self, work: &mut Workspace, equations: &SystemEquations) -> Differentiated {
+        differentiated_system(self, work, equations)
     }
 
     fn regressors(

@@ -22,14 +22,18 @@ pub type Changes = Vec<(Column, Vec<Vec<Id>>)>;
 /// The directions in which one component of an input changes.
 pub fn of_inputs(outline: &Outline, work: &mut Workspace) -> Directions {
     let inputs = (0..outline.inputs.len()).map(|number| {
-        let parts = [None, Some(0), Some(1), Some(2)].into_iter();
-        let symbols = parts.filter_map(|part| work.symbol_of(Meaning::Input(number, part)));
-        let symbols: Vec<Id> = symbols.collect();
-        let symbols = symbols.into_iter();
+        let symbols = components(work, |part| Meaning::Input(number, part)).into_iter();
         let directions = symbols.map(|symbol| Direction::of_symbol(work, Some(symbol)));
         (Column::Input(number), directions.collect())
     });
     inputs.collect()
+}
+
+/// The symbols of an input or a parameter, which is a scalar or a vector.
+pub fn components(work: &Workspace, meaning: impl Fn(Option<usize>) -> Meaning) -> Vec<Id> {
+    let parts = [None, Some(0), Some(1), Some(2)].into_iter();
+    let symbols = parts.filter_map(|part| work.symbol_of(meaning(part)));
+    symbols.collect()
 }
 
 /// The result of `finish` for the changes of `roots`, computed together with the `accelerations`.

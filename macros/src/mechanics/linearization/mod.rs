@@ -3,11 +3,13 @@
 mod blocks;
 mod body;
 mod changes;
-mod sensitivity;
+mod differentiated;
+mod linearize;
 mod system;
 
 pub use blocks::{Block, Linearization, Row};
-pub use body::linearize_body;
+pub use body::differentiated_body;
 pub use changes::Column;
-pub use sensitivity::{sensitivity_of_body, sensitivity_of_system};
-pub use system::linearize_system;
+pub use differentiated::{Differentiated, Tangent};
+pub use linearize::{linearize, sensitivity};
+pub use system::differentiated_system;

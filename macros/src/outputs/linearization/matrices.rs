@@ -169,8 +169,8 @@ impl Space {
         patterns
     }
 
-    /// `impl Linearized<STATES, INPUTS> for BodyLinearization`; of a description with mistakes there
-    /// is no pattern.
+    /// `impl Linearized<STATES, INPUTS> for BodyLinearization`; of a description with mistakes
+    /// there is no pattern.
     pub fn matrices(
         &self,
         site: &Site<'_>,

@@ -1,4 +1,5 @@
-//! `linearization`: what the rates of a state change by with state and input, to first order, in blocks.
+//! `linearization`: what the rates of a state change by with state and input, to first order, in
+//! blocks.
 
 use proc_macro2::Ident;
 
@@ -56,7 +57,9 @@ impl<S: Subject> Output<S> for Linearization {
                 basis.errors.push(name.span(), message);
             }
         }
-        let found = (basis.model).linearization(basis.outline, basis.work, basis.equations);
+        let model = basis.model;
+        let differentiated = model.differentiated(basis.work, basis.equations);
+        let found = mechanics::linearize(basis.outline, model, basis.work, differentiated);
         self.found = Some(found);
         let joints = 0..basis.outline.joints.len().max(1);
         self.in_world = joints.map(|joint| basis.model.is_in_world(joint)).collect();

@@ -31,7 +31,8 @@ impl<S: Subject> Output<S> for Sensitivity {
             basis.errors.push(place, message);
             return None;
         }
-        let found = (basis.model).sensitivity(basis.outline, basis.work, basis.equations);
+        let differentiated = basis.model.differentiated(basis.work, basis.equations);
+        let found = mechanics::sensitivity(basis.outline, basis.work, differentiated);
         self.0 = Some(found);
         Some(())
     }

@@ -9,7 +9,7 @@ use fuzz::mechanics::{
     derive_inertias, derive_jacobians, derive_system, derive_system_balances,
     derive_system_consistency, derive_system_driving, derive_system_energy, derive_system_inverse,
     derive_system_momentum, derive_system_open, derive_system_reactions, describe_system,
-    linearize_system, with_system_potentials,
+    differentiated_system, linearize, with_system_potentials,
 };
 use fuzz::model::{Meaning, Outline, System, Variable, Workspace};
 use fuzz::outputs::offers;
@@ -143,8 +143,10 @@ impl Compiled {
                 .map(|one| number_of(&one.name))
                 .collect(),
             ties: ties.zip(tensions).collect(),
-            linearization: is_asked
-                .then(|| linearize_system(&outline, &system, &mut work, &equations)),
+            linearization: is_asked.then(|| {
+                let differentiated = differentiated_system(&system, &mut work, &equations);
+                linearize(&outline, &system, &mut work, differentiated)
+            }),
             skipped: describe_system(&system, &work, &equations).skipped,
             accelerations: equations.accelerations.clone(),
             reactions,

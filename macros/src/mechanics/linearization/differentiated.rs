@@ -1,0 +1,62 @@
+//! What a linearization differentiates: accelerations, or the balances from which they follow.
+
+use crate::mechanics::system::Response;
+use crate::mechanics::variation::Direction;
+use crate::model::{Group, Own, Workspace};
+use crate::symbolic::{Components, Id};
+
+/// Accelerations in the order of the state, and the expressions by whose changes they change; the
+/// rates of user-defined states come after both.
+pub struct Differentiated {
+    pub accelerations: Vec<Id>,
+    pub changing: Vec<Id>,
+    /// For a tree: the balances are differentiated, and solved with the mass matrix.
+    response: Option<Response>,
+}
+
+impl Differentiated {
+    /// The accelerations themselves.
+    pub fn directly(accelerations: Vec<Id>, states: &[Own]) -> Self {
+        let accelerations = with_rates(accelerations, states);
+        Self {
+            changing: accelerations.clone(),
+            accelerations,
+            response: None,
+        }
+    }
+
+    /// The balances of a tree.
+    pub fn by_balances(response: Response, states: &[Own]) -> Self {
+        Self {
+            accelerations: with_rates(response.accelerations.clone(), states),
+            changing: with_rates(response.lacking.clone(), states),
+            response: Some(response),
+        }
+    }
+
+    /// The change of the accelerations by that of what is differentiated.
+    pub fn finish(&mut self, work: &mut Workspace, change: Vec<Id>) -> Vec<Id> {
+        match &mut self.response {
+            Some(response) => {
+                let (change, rates) = change.split_at(response.lacking.len());
+                [response.to(work, change).as_slice(), rates].concat()
+            }
+            None => change,
+        }
+    }
+}
+
+fn with_rates(all: Vec<Id>, states: &[Own]) -> Vec<Id> {
+    let rates = states.iter().map(|state| state.rate);
+    all.into_iter().chain(rates).collect()
+}
+
+/// The tangent space of the states of a body or a system.
+pub trait Tangent {
+    /// A component of the tangent space changes by one.
+    fn direction(&self, work: &mut Workspace, group: &Group, component: usize) -> Direction;
+
+    /// The angular velocity with which the attitude of a joint, by its number in the state,
+    /// changes.
+    fn spin(&self, work: &Workspace, joint: usize) -> Components;
+}

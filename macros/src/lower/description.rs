@@ -55,23 +55,17 @@ pub fn lower_description(
     outline.unused = unused(description, &scope);
     let motion = outline.motion;
     let model = Model {
-        motion,
         derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
-        state,
         states: states?,
-        mass: mass.known(),
-        inertia: inertia?,
         is_differentiated: outline.rank(LINEARIZATION).is_some(),
         has_idle_inertia: description.inertia.is_some() && !motion.has_attitude(),
-        loads: loads?,
-        following: Vec::new(),
         potentials: potentials?,
         reactions: every(reactions)?,
         drives: drives?,
         constraints: constraints?,
-        pole: pole?,
         checks: checks?,
         defaults,
+        ..Model::of(motion, state, (mass.known(), inertia?), loads?, pole?)
     };
     name_properties(&model, &mut work.labels);
     Some((model, work))

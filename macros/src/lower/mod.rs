@@ -7,7 +7,7 @@ mod inertia;
 mod loads;
 mod system;
 
-pub use definitions::{INVERSE, LINEARIZATION, Offer, outline};
+pub use definitions::{FLOW, INVERSE, LINEARIZATION, Offer, outline};
 pub use description::lower_description;
 pub use expressions::{is_drive, is_unknown};
 pub use system::{lower_system, outline_system};

@@ -16,7 +16,8 @@ pub use body::{
     least_moment, matrix, thinnest, words,
 };
 pub use joints::{
-    Coordinate, Field, Group, Joint, MOTIONS, Motion, Orientation, PLANAR, Rates, SPATIAL, Shape,
+    Coordinate, FIXED_AXIS, FIXED_POINT, Field, Group, Joint, MOTIONS, Motion, Orientation, PIVOT,
+    PLANAR, PLANAR_TRANSLATION, ROTATION, Rates, SPATIAL, Shape, TRANSLATION,
 };
 pub use kinematics::{
     Attitude, Axis, Own, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
@@ -64,6 +65,35 @@ pub struct Model {
 }
 
 impl Model {
+    /// A body under these loads, of which nothing else is known.
+    pub fn of(
+        motion: Motion,
+        state: State,
+        (mass, inertia): (Option<Id>, Inertia),
+        loads: Vec<Load>,
+        pole: Point,
+    ) -> Self {
+        Self {
+            motion,
+            derivatives: Vec::new(),
+            state,
+            states: Vec::new(),
+            mass,
+            inertia,
+            is_differentiated: false,
+            has_idle_inertia: false,
+            loads,
+            following: Vec::new(),
+            potentials: Potentials::default(),
+            reactions: Vec::new(),
+            drives: Vec::new(),
+            constraints: Vec::new(),
+            pole,
+            defaults: Defaults::default(),
+            checks: Checks::default(),
+        }
+    }
+
     /// The mass, if G has coordinates of its own.
     pub fn moved_mass(&self) -> Option<Id> {
         self.mass.filter(|_| self.motion.translates())

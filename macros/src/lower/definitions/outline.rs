@@ -22,6 +22,7 @@ pub const INVERSE: &str = "inverse";
 
 /// The output that needs differentiated equations.
 pub const LINEARIZATION: &str = "linearization";
+pub const FLOW: &str = "flow";
 
 /// An output that a description may request, beyond the accelerations.
 pub struct Offer {

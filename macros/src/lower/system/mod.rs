@@ -18,7 +18,7 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
-use crate::lower::definitions::{check_changing, unused};
+use crate::lower::definitions::{FLOW, LINEARIZATION, check_changing, unused};
 use crate::model::{Closing, Constraint, Member, Outline, System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Id};
 use crate::syntax;
@@ -88,6 +88,9 @@ pub fn lower_system(
         links,
         properties: [lengths, between.properties].concat(),
         derivatives,
+        is_differentiated: [LINEARIZATION, FLOW]
+            .iter()
+            .any(|word| outline.rank(word).is_some()),
         defaults,
         checks: checks?,
     };

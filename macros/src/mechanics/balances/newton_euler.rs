@@ -25,7 +25,7 @@ pub fn derive_accelerations(
         .describe("linear", "(1.3), world axes: a = sum of F / m");
     if let Some(axis) = model.state.axis {
         rod::check_loads(model, work, &model.loads, axis, errors)?;
-        let linear = linear_acceleration(model, work, &model.loads, "linear");
+        let linear = linear_acceleration(model, work, &model.loads, Some("linear"));
         let angular = rod::axis_acceleration(model, work, axis);
         return Some((Pair { linear, angular }, None));
     }
@@ -50,24 +50,24 @@ pub fn derive_accelerations(
         work,
         &model.loads,
         known.collect(),
-        ["linear", "angular"],
+        Some(["linear", "angular"]),
     ))
 }
 
-/// The accelerations by loads and further moments, with these names.
+/// The accelerations by loads and further moments, with these names, if they have any.
 pub fn solve_balances(
     model: &Model,
     work: &mut Workspace,
     loads: &[Load],
     further: Vec<Vector>,
-    names: [&str; 2],
+    names: Option<[&str; 2]>,
 ) -> (Pair, Option<EulerForm>) {
-    let linear = linear_acceleration(model, work, loads, names[0]);
+    let linear = linear_acceleration(model, work, loads, names.map(|[linear, _]| linear));
     let center = model.state.center(work);
     let mut moments = moments_about(&model.state, work, loads, center);
     let (angular, form) = if model.motion.has_attitude() {
         moments.extend(further);
-        angular_acceleration(model, work, moments, names[1])
+        angular_acceleration(model, work, moments, names.map(|[_, angular]| angular))
     } else {
         (work.graph.zeros(), None)
     };
@@ -79,7 +79,7 @@ fn linear_acceleration(
     model: &Model,
     work: &mut Workspace,
     loads: &[Load],
-    name: &str,
+    name: Option<&str>,
 ) -> Components {
     let Some(mass) = model.moved_mass() else {
         return work.graph.zeros();
@@ -98,7 +98,9 @@ fn linear_acceleration(
     work.labels.vector("specific_force", in_body);
     let acceleration = work.components(specific, Frame::WORLD);
     let acceleration = work.graph.results(acceleration);
-    work.labels.vector(name, acceleration);
+    if let Some(name) = name {
+        work.labels.vector(name, acceleration);
+    }
     acceleration
 }
 
@@ -108,7 +110,7 @@ fn angular_acceleration(
     model: &Model,
     work: &mut Workspace,
     moments: Vec<Vector>,
-    name: &str,
+    name: Option<&str>,
 ) -> (Components, Option<EulerForm>) {
     let moment = work.sum(moments);
     let moment = work.components(moment, model.state.axes);
@@ -135,11 +137,12 @@ fn angular_acceleration(
         }
     };
     let angular = work.graph.results(angular);
-    let labels = &mut work.labels;
-    if model.motion.has_angle() {
-        labels.name(angular[2], name);
+    if let Some(name) = name {
+        if model.motion.has_angle() {
+            work.labels.name(angular[2], name);
+        }
+        work.labels.vector(name, angular);
     }
-    labels.vector(name, angular);
     (angular, form)
 }
 

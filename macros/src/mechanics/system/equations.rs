@@ -46,17 +46,17 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
         };
         (found, Some(closed))
     };
-    let accelerations: Vec<Vec<Id>> = built
-        .links
-        .iter()
-        .map(|links| {
-            let links = found.accelerations[links.clone()].concat();
-            links
-                .into_iter()
-                .map(|one| work.graph.result(one))
-                .collect()
-        })
-        .collect();
+    let joints = built.links.iter().enumerate().map(|(joint, links)| {
+        let mut best = found.accelerations[links.clone()].concat();
+        if closed.is_none() {
+            let cost = |work: &Workspace, all: &[Id]| work.graph.late_cost(all).total();
+            let alone = tree::alone(system, work, joint);
+            let alone = alone.filter(|alone| cost(work, alone) <= cost(work, &best));
+            best = alone.unwrap_or(best);
+        }
+        best.into_iter().map(|one| work.graph.result(one)).collect()
+    });
+    let accelerations: Vec<Vec<Id>> = joints.collect();
     for (joint, found) in system.joints.iter().zip(&accelerations) {
         let names = joint.kind.shape.into_iter().flat_map(|shape| shape.second);
         let names = names.flat_map(|field| field.names);

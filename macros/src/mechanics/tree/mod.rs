@@ -5,6 +5,7 @@
 //! the ground and back, adds the joint accelerations; it has no bias terms itself. Each pass
 //! is written out link by link in the graph, so that zeros, constants and shared terms drop out.
 
+mod alone;
 mod articulated;
 mod bias;
 mod build;
@@ -18,6 +19,7 @@ mod reductions;
 mod regrouping;
 pub mod turning;
 
+pub use alone::alone;
 pub use bias::Moving;
 pub use build::{Built, build, wrench};
 pub use joint_loads::{along_freedoms, in_world, joint_loads, lacking, lacks, motions};

@@ -50,7 +50,13 @@ pub fn derive_constrained(
     if let Some(axis) = model.state.axis {
         rod::check_loads(model, work, &loads, axis, errors)?;
     }
-    let (free, form) = solve_balances(model, work, &loads, Vec::new(), ["free", "free_angular"]);
+    let (free, form) = solve_balances(
+        model,
+        work,
+        &loads,
+        Vec::new(),
+        Some(["free", "free_angular"]),
+    );
     let mut rows = Vec::new();
     for constraint in &constraints {
         rows.push(constraint_row(work, constraint, &pushes, free));

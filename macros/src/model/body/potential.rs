@@ -7,7 +7,7 @@ use crate::model::words::Frame;
 use crate::symbolic::{Components, Id};
 
 /// Potentials and fields that become loads by differentiation.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub struct Potentials {
     pub list: Vec<Potential>,
     /// The same energies, in one form or more.

@@ -41,6 +41,8 @@ pub struct System {
     pub energies: Vec<Id>,
     /// The number of given derivatives of each input.
     pub derivatives: Vec<usize>,
+    /// Its equations must be differentiated, or be proved to be those of a closed form.
+    pub is_differentiated: bool,
     pub defaults: Defaults,
     pub checks: Checks,
 }

@@ -6,7 +6,7 @@ use quote::quote;
 
 use crate::emit::code::{Method, Shapes, Site, Values, Writer, local};
 use crate::emit::items::{Addition, Best};
-use crate::lower::Offer;
+use crate::lower::{FLOW, Offer};
 use crate::mechanics::{self, Free, Report, Rotation, derive_flow};
 use crate::model::{Model, Orientation, Outline, Workspace};
 use crate::symbolic::Id;
@@ -21,7 +21,7 @@ const OFFER: Offer = Offer {
             "there is no closed form of `states` of one's own: leave out `flow`, and the motion is integrated",
         )
     },
-    ..Offer::new("flow")
+    ..Offer::new(FLOW)
 };
 
 #[derive(Default)]

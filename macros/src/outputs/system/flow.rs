@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 
 use crate::emit::code::{Method, Shapes, Site, Values, Writer, local};
 use crate::emit::items::{Addition, Best};
-use crate::lower::Offer;
+use crate::lower::{FLOW, Offer};
 use crate::mechanics::{Course, Free, Report, Rotation, SystemFlow, derive_system_flow};
 use crate::model::{Shape, System, Variable, Workspace};
 use crate::outputs::output::{Basis, Output};
@@ -21,7 +21,7 @@ const OFFER: Offer = Offer {
             "there is no closed form of `states` of one's own: leave out `flow`, and the motion is integrated",
         )
     },
-    ..Offer::new("flow")
+    ..Offer::new(FLOW)
 };
 
 #[derive(Default)]

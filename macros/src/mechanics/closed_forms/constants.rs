@@ -20,8 +20,8 @@ pub fn constants(work: &mut Workspace, roots: &[Id]) -> Option<Vec<Id>> {
     all_vanish(work, &differences).then_some(values)
 }
 
-/// What expressions are in the state of which all numbers but those that are `kept` are zero, and attitudes
-/// those of the ground.
+/// What expressions are in the state of which all numbers but those that are `kept` are zero, and
+/// attitudes those of the ground.
 pub fn at_rest(work: &mut Workspace, roots: &[Id], kept: impl Fn(Id) -> bool) -> Vec<Id> {
     let (zero, one) = (work.graph.zero(), work.graph.one());
     let late = work.graph.reachable(roots, |id| !work.graph.is_early(id));

@@ -4,8 +4,8 @@
 //! w' = n w x e + r' e        r = w . e; n' and r' constant
 //! ```
 //!
-//! With A the moment of inertia across the axis and h the angular momentum along it, rotors and all,
-//! `n = r - h/A`. All of it is read off the acceleration.
+//! With A the moment of inertia across the axis and h the angular momentum along it, rotors and
+//! all, `n = r - h/A`. All of it is read off the acceleration.
 
 use crate::mechanics::proofs::all_vanish;
 use crate::model::Workspace;
@@ -85,8 +85,8 @@ impl Gyrostat {
     }
 }
 
-/// n, if there is one: by how much w' changes along f as w does along e x f, where w is along e and only
-/// rates are not zero.
+/// n, if there is one: by how much w' changes along f as w does along e x f, where w is along e and
+/// only rates are not zero.
 fn spin(work: &mut Workspace, turning: &Turning<'_>, axis: Components) -> Option<Id> {
     let w = turning.angular_velocity;
     let place = |id: Id| w.iter().position(|component| *component == id);

@@ -1,5 +1,5 @@
-//! The regressor of a system: what its motion takes, along each freedom, of the inertial parameters of
-//! each body.
+//! The regressor of a system: what its motion takes, along each freedom, of the inertial parameters
+//! of each body.
 
 use crate::mechanics::answers::{Regressor, told};
 use crate::mechanics::tree::{self, Properties};

@@ -1,4 +1,5 @@
-//! Taylor series of the motion of a system: the coordinates of its joints, in the order of its state.
+//! Taylor series of the motion of a system: the coordinates of its joints, in the order of its
+//! state.
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::answers::{Moving, Taylor, polynomials};

@@ -1,8 +1,8 @@
 //! Slopes: by how much an expression changes in any direction of the space of states.
 //!
-//! The chain rule, backwards, gives all of them: from the expression down to its leaves, the symbols
-//! of the state and vectors that were turned from one axes to the others. These are taken as vectors,
-//! whatever their rotation is made of; as the body turns by phi,
+//! The chain rule, backwards, gives all of them: from the expression down to its leaves, the
+//! symbols of the state and vectors that were turned from one axes to the others. These are taken
+//! as vectors, whatever their rotation is made of; as the body turns by phi,
 //!
 //! ```text
 //! u = R v:      p . u' = R^T p . (v' + phi x v)          phi and v in body axes

@@ -1,5 +1,5 @@
-//! What one unit of the load does that keeps a constraint, along its gradient: on each body by how it
-//! moves by itself, and along the freedoms of joints.
+//! What one unit of the load does that keeps a constraint, along its gradient: on each body by how
+//! it moves by itself, and along the freedoms of joints.
 //!
 //! ```text
 //! of positions:   F = dg/dR   K = dg/dphi      of velocities:   F = dh/dv   K = dh/dw

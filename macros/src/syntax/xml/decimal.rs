@@ -115,8 +115,8 @@ impl Decimal {
         }
     }
 
-    /// How many right angles it is, if that is within `NEAR`, or less than one of its last digits off.
-    /// A double is looked at for this alone: what is written comes from the digits.
+    /// How many right angles it is, if that is within `NEAR`, or less than one of its last digits
+    /// off. A double is looked at for this alone: what is written comes from the digits.
     fn right_angles(&self) -> Option<i32> {
         let angle: f64 = self.text().parse().ok()?;
         let count = (angle / FRAC_PI_2).round();

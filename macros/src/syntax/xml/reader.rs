@@ -80,8 +80,8 @@ impl<'e> Reader<'e> {
         self.report(node, format!("there is no {what} `{name}`{hint}"))
     }
 
-    /// The elements in `node`: of each word of `known` all; what is none of them is skipped, and said
-    /// to be, or taken for a misspelt one.
+    /// The elements in `node`: of each word of `known` all; what is none of them is skipped, and
+    /// said to be, or taken for a misspelt one.
     pub fn children<'n, 'd>(
         &mut self,
         node: Node<'n, 'd>,

@@ -1,7 +1,7 @@
 //! Loops in the plane: first the motion in absolute angles, and then the loads.
 
-use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree;
+use crate::mechanics::tree::link::{Link, Tree};
 use crate::model::{Part, Workspace};
 use crate::symbolic::{Graph, Id};
 

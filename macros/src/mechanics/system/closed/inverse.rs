@@ -13,7 +13,8 @@ use super::super::constraints::split;
 use super::solve::Closed;
 
 /// Solves for the open drives, and then the loads. `needed` is the right side, along each open
-/// coordinate, where `symbols` are the loads of written constraints; `open` are the coordinates that have a drive.
+/// coordinate, where `symbols` are the loads of written constraints; `open` are the coordinates
+/// that have a drive.
 pub fn solve_drives(
     work: &mut Workspace,
     closed: &Closed,

@@ -75,8 +75,8 @@ impl<'a> Arms<'a> {
         self.placed[link].w[2]
     }
 
-    /// A vector of a link by its first arm that is known early, if that is so whatever the parameters are:
-    /// with these, an arm may be zero.
+    /// A vector of a link by its first arm that is known early, if that is so whatever the
+    /// parameters are: with these, an arm may be zero.
     pub fn by_arm(&mut self, graph: &mut Graph, link: usize, vector: Components) -> ByArm {
         let mut known = self.known[link].iter();
         if let Some([own, arm]) = known.find(|[own, _]| graph.are_early(own)).copied()

@@ -145,9 +145,9 @@ impl<'w> Balances<'w> {
         })
     }
 
-    /// One over a determinant `d / (d d)`. Slopes along ways are sums that may vanish in closed states,
-    /// and do not tell how large they could be: it is compared, as the inertia along ways is, with what
-    /// is known of the squares of slopes.
+    /// One over a determinant `d / (d d)`. Slopes along ways are sums that may vanish in closed
+    /// states, and do not tell how large they could be: it is compared, as the inertia along ways
+    /// is, with what is known of the squares of slopes.
     fn inverse_by_squares(&mut self, determinant: Id, known: &Chosen) -> Id {
         let bounds = self.bounds(known);
         let graph = &mut self.work.graph;
@@ -159,8 +159,8 @@ impl<'w> Balances<'w> {
         graph.multiply(determinant, inverse)
     }
 
-    /// Rows of one coordinate more; nothing where there may be no way, or none with inertia, throughout
-    /// a branch.
+    /// Rows of one coordinate more; nothing where there may be no way, or none with inertia,
+    /// throughout a branch.
     fn with_way(&mut self, known: Chosen) -> Option<Block> {
         let bounds = self.bounds(&known);
         let graph = &mut self.work.graph;

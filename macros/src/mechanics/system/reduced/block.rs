@@ -50,8 +50,8 @@ pub fn next_rows(open: &[(usize, Vec<usize>)]) -> Option<(Vec<usize>, Vec<usize>
         .min_by_key(|(rows, coordinates)| (rows.len(), coordinates.len()))
 }
 
-/// The way of moving that rows leave, by their minors, and bounds of the squares of its components by
-/// those of the slopes.
+/// The way of moving that rows leave, by their minors, and bounds of the squares of its components
+/// by those of the slopes.
 pub fn way(graph: &mut Graph, slopes: &[Vec<Id>], sizes: &[Id]) -> (Vec<Id>, Vec<Id>) {
     match (slopes, sizes) {
         ([row], [a, b]) => (vec![row[1], graph.negate(row[0])], vec![*b, *a]),

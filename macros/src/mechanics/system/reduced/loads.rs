@@ -6,8 +6,8 @@ use super::balances::{at, products};
 use super::block::Block;
 use super::motion::Reduced;
 
-/// The load of each row, by what lacks in the balances of the coordinates that were given: of the last
-/// block first, since a block has to do with the loads of later ones.
+/// The load of each row, by what lacks in the balances of the coordinates that were given: of the
+/// last block first, since a block has to do with the loads of later ones.
 pub fn loads(graph: &mut Graph, reduced: &Reduced, lacking: &[Id], rows: usize) -> Vec<Id> {
     let zero = graph.zero();
     let mut lacking = lacking.to_vec();

@@ -14,8 +14,8 @@ pub struct Kept {
     pub own: Id,
 }
 
-/// `M x - P l = f`, `A x + c l = r`. The matrix is not definite: the loads, of which `of_load` is known,
-/// are eliminated last.
+/// `M x - P l = f`, `A x + c l = r`. The matrix is not definite: the loads, of which `of_load` is
+/// known, are eliminated last.
 pub fn together(
     work: &mut Workspace,
     (masses, driving): (&[Vec<Id>], &[Id]),

@@ -19,3 +19,4 @@ pub use constrained::active;
 pub use constraints::derive_constrained;
 pub use inverse::derive_inverse;
 pub use reactions::derive_reactions;
+pub use rows::equations;

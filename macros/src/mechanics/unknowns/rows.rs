@@ -88,6 +88,7 @@ impl Solved<'_> {
 /// The coefficients of an equation, and its right side.
 pub type Sides = (Vec<Id>, Id);
 
+/// All coefficients and right sides as equations.
 pub fn equations(work: &Workspace, rows: Vec<Sides>) -> Vec<Equation> {
     let all: Vec<Id> = rows.iter().flat_map(|(row, _)| row.clone()).collect();
     let mut values = samples(work, &all).into_iter();

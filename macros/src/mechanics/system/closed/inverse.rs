@@ -5,9 +5,9 @@
 //! u + A^T l = M q'' - f
 //! ```
 
-use crate::mechanics::proofs::samples;
+use crate::mechanics::unknowns::equations;
 use crate::model::Workspace;
-use crate::symbolic::{Elimination, Equation, Id, Size};
+use crate::symbolic::{Elimination, Id};
 
 use super::super::constraints::split;
 use super::solve::Closed;
@@ -45,16 +45,7 @@ pub fn solve_drives(
             sides.push((coefficients, zero));
         }
     }
-    let all: Vec<Id> = sides.iter().flat_map(|(row, _)| row.clone()).collect();
-    let mut values = samples(work, &all).into_iter();
-    let equations = sides.into_iter().map(|(coefficients, right)| Equation {
-        sample: values.by_ref().take(coefficients.len()).collect(),
-        sizes: vec![Size::Terms; coefficients.len()],
-        active: None,
-        coefficients,
-        right,
-    });
-    let equations = equations.collect();
+    let equations = equations(work, sides);
     let unknowns = open.len() + closed.kept.len();
     work.graph.solve(equations, unknowns)
 }

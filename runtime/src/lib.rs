@@ -5,7 +5,7 @@
 //! (1.4), drops every term that is zero or unused, and emits straight-line Rust that `cargo expand`
 //! shows like a page of a textbook. Its documentation is the reference of the language. Generated
 //! types implement the traits of [`body`] on the states of [`state`]; [`integrate`] moves them.
-//! [`recipes`] has short programs for common tasks.
+//! [`guide`] begins with the physics; [`recipes`] has short programs for common tasks.
 //!
 //! ```
 //! use newton_euler::prelude::*;
@@ -84,6 +84,7 @@ mod bodies;
 #[cfg(feature = "ensemble")]
 pub mod ensemble;
 pub mod exact;
+pub mod guide;
 pub mod integrate;
 mod mechanics;
 mod numbers;

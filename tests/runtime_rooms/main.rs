@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use modules::{Modules, Needs};
 
 /// What each room may import of the others: only what stands above it here.
-const ROOMS: [(&str, &str); 16] = [
+const ROOMS: [(&str, &str); 17] = [
     ("numbers", ""),
     ("mechanics", "numbers"),
     ("state", "numbers mechanics"),
@@ -33,6 +33,7 @@ const ROOMS: [(&str, &str); 16] = [
     ("private", "numbers mechanics state bodies exact"),
     ("prelude", ""),
     ("guide", ""),
+    ("reference", ""),
     ("schema", ""),
 ];
 

@@ -9,8 +9,8 @@ use crate::symbolic::{Function, Graph, Id};
 use super::equations::SystemEquations;
 use super::rates::order;
 
-/// The constraints as the runtime is told of them, each with what it may be in a state of this
-/// size.
+/// The constraints as the runtime sees them, each with the rounding that it may have in a state of
+/// this size.
 pub fn derive_system_consistency(
     system: &System,
     work: &mut Workspace,
@@ -48,7 +48,7 @@ pub fn derive_system_consistency(
     let rows = closed.constraints.iter().enumerate();
     let rows = rows.map(|(number, row)| {
         let own = couplings[number][number];
-        // one that is flat where a linkage folds is off by as much as the others of its joint
+        // a row without slope where a linkage folds counts with the largest coupling of its joint
         let part = closed.parts[number];
         let is_alike = |other: usize| part.is_some() && closed.parts[other] == part;
         let alike = (0..couplings.len()).filter(|other| is_alike(*other));
@@ -76,8 +76,8 @@ pub fn derive_system_consistency(
     rows.collect()
 }
 
-/// What a value may be in a state of this size: where an angle or a rate alone is kept at zero, its
-/// terms do not tell.
+/// The size of a value in a state of this size. If an angle or a rate alone is kept at zero, its
+/// terms give no size.
 fn reached(graph: &mut Graph, value: Id, coupling: Id, of_state: Id) -> Id {
     let size = summed_size(graph, value);
     let square = graph.multiply(coupling, of_state);
@@ -85,8 +85,8 @@ fn reached(graph: &mut Graph, value: Id, coupling: Id, of_state: Id) -> Id {
     graph.apply(Function::Max, &[size, across])
 }
 
-/// The same as twice the kinetic energy, with an angle of one in the place of the rate of each
-/// freedom that turns, and nothing for those that slide.
+/// As twice the kinetic energy, with one in place of the rate of each rotation, and zero for each
+/// slide.
 fn turn(work: &mut Workspace, equations: &SystemEquations, inertias: &[Id]) -> Id {
     let freedoms = equations.built.tree.links.iter().flat_map(Link::open);
     let turning = freedoms

@@ -1,5 +1,5 @@
-//! The regressor of a system: what its motion takes, along each freedom, of the inertial parameters of
-//! each body.
+//! The regressor of a system: the load of a motion along each freedom, as a linear function of the
+//! inertial parameters of each body.
 
 use crate::mechanics::answers::{Regressor, told};
 use crate::mechanics::tree::{self, Properties};
@@ -10,7 +10,7 @@ use super::equations::SystemEquations;
 use super::loads::by_link;
 use super::rates::order;
 
-/// Of each body, about the point of it at which its joint holds it, each after its carrier.
+/// For each body, about the point that its joint holds, each after its carrier.
 pub fn derive_system_regressors(
     system: &System,
     work: &mut Workspace,

@@ -11,8 +11,7 @@
 //! and no row is preferred. S has no negative eigenvalue, so `e_k` vanishes only where the rank is
 //! less. That the rank is k is not proved and not assumed: if `S l` differs from r by more than
 //! rounding and the distance of the state from a closed one, the result is NaN. Otherwise all rows
-//! are satisfied and all balances hold, and this determines the motion. balances hold, and this
-//! determines the motion.
+//! are satisfied and all balances hold, and this determines the motion.
 
 use crate::mechanics::tree::MassMatrix;
 use crate::model::Workspace;
@@ -62,7 +61,8 @@ pub fn groups(graph: &Graph, kept: &[(Keeper, Row)], independent: &[bool]) -> Ve
     groups.into_iter().map(|(_, group)| group).collect()
 }
 
-/// What each row of `groups` does beside those that are always independent, and what these leave.
+/// The effect of each row of `groups` once the masses and the always independent rows are
+/// eliminated.
 struct Left {
     groups: Vec<Group>,
     /// The rows of all groups, in order.

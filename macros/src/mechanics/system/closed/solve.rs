@@ -1,5 +1,4 @@
-//! The accelerations of a system that is held by more than the joints of its tree, and its
-//! constraint loads.
+//! The accelerations and the constraint loads of a system with constraints outside its tree.
 
 use std::collections::BTreeSet;
 
@@ -20,25 +19,25 @@ use super::unsettled::{Keeper, Spare, Unsettled, bare};
 
 /// The solution of such a system.
 pub struct Closed {
-    /// Of the open freedoms, link by link.
+    /// The accelerations of the open freedoms, link by link.
     pub accelerations: Vec<Vec<Id>>,
     pub constraints: Vec<Row>,
-    /// For each, its number if it is written.
+    /// For each row, its number if it is a written constraint.
     pub written: Vec<Option<usize>>,
-    /// For each, its joint by number, and whether it is a moment that keeps it.
+    /// For each row, the number of its joint, and whether its load is a moment.
     pub parts: Vec<Option<(usize, bool)>>,
-    /// Which of them others keep in closed states.
+    /// Which rows follow from others in closed states.
     pub follows: Vec<bool>,
-    /// Of the mass matrix of the tree: what each freedom has alone.
+    /// The diagonal of the mass matrix of the tree.
     pub inertias: Vec<Id>,
-    /// Force and moment of each joint that closes a loop on what it carries, at its point there,
-    /// world axes.
+    /// Force and moment of each loop-closing joint on the carried body, at its point there, world
+    /// axes.
     pub wrenches: Vec<[Components; 2]>,
     /// The load of each written constraint, for one unit of its gradient.
     pub loads: Vec<Id>,
-    /// The symbols of these loads, each with what is found.
+    /// The symbols of these loads, each with its solution.
     pub values: Vec<(Id, Id)>,
-    /// The same of the accelerations that loads may follow.
+    /// The same for the accelerations on which loads may depend.
     pub moved: Vec<(Id, Id)>,
     /// The tree with these loads on its links.
     pub loaded: Tree,
@@ -209,8 +208,8 @@ fn found(
     }
 }
 
-/// With rows that depend on each other in closed states alone; none if there are no such rows, or
-/// if loads depend on those of constraints.
+/// The solution with rows that depend on each other only in closed states; none if there are no
+/// such rows, or if loads depend on those of constraints.
 fn where_closed(
     system: &System,
     work: &mut Workspace,
@@ -237,7 +236,7 @@ fn where_closed(
     )
 }
 
-/// Loads that balance each other, as `loads_of` tells them; of an idle row, any.
+/// Loads that balance each other, from `loads_of`; for an idle row, any load.
 fn spare(
     system: &System,
     work: &mut Workspace,

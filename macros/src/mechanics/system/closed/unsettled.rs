@@ -21,7 +21,7 @@ pub enum Keeper {
 /// The owners of loads that the equations do not determine, by index.
 #[derive(Default)]
 pub struct Unsettled {
-    /// Loads that balance each other, and may be added to those that are found.
+    /// Loads that balance each other, and may be added to any solution.
     pub spare: Vec<Spare>,
     /// Written constraints that are trivial, or redundant, each with the names of those it follows
     /// from.
@@ -33,7 +33,7 @@ pub struct Unsettled {
     pub axes: Vec<Option<Components>>,
 }
 
-/// Loads that balance each other in all bodies: force and moment of each joint on what it carries,
+/// Loads that balance each other in all bodies: force and moment of each joint on the carried body,
 /// at its point there, world axes.
 pub struct Spare {
     /// Of the joints that close loops.
@@ -45,8 +45,8 @@ pub struct Spare {
 }
 
 impl Spare {
-    /// From those of the joints that close loops, and what written constraints do to the links of a
-    /// `tree` without loads.
+    /// From the loads of the joints that close loops, and the effect of written constraints on the
+    /// links of a `tree` without loads.
     pub fn new(
         graph: &mut Graph,
         built: &Built,
@@ -91,14 +91,14 @@ impl Spare {
         }
     }
 
-    /// That of a joint by number: those that close loops are behind those of the tree.
+    /// The load of a joint by number: those that close loops come after those of the tree.
     pub fn wrench(&self, joint: usize) -> [Components; 2] {
         let behind = joint.checked_sub(self.joints.len());
         behind.map_or_else(|| self.joints[joint], |closing| self.closings[closing])
     }
 }
 
-/// Takes a force and a moment at a place from their sums about another one.
+/// Subtracts a force and a moment at a place from the sums about another one.
 fn subtract_at(
     graph: &mut Graph,
     sums: &mut [Components; 2],
@@ -114,7 +114,7 @@ fn subtract_at(
 }
 
 impl Keeper {
-    /// Of a joint, its number, and whether it is a moment that keeps this.
+    /// The number of a joint, and whether its load is a moment.
     pub fn joint_part(&self, graph: &Graph) -> Option<(usize, bool)> {
         match self {
             Self::Joint(number, [force, _]) => Some((*number, graph.is_zero_vector(force))),
@@ -122,7 +122,7 @@ impl Keeper {
         }
     }
 
-    /// Of a written constraint, its number.
+    /// The number of a written constraint.
     pub fn number(&self) -> Option<usize> {
         match self {
             Self::Joint(..) => None,
@@ -130,8 +130,8 @@ impl Keeper {
         }
     }
 
-    /// Whether a row says nothing of accelerations. One of a joint that holds in all states, as
-    /// those of parallel axes in space do, has any load.
+    /// Whether a row does not restrict accelerations. Such a row of a joint holds in all states, as
+    /// for parallel axes in space, and may have any load.
     pub fn is_idle(&self, work: &Workspace, row: &Row) -> bool {
         let rest = [row.rate, row.bias].into_iter().chain(row.value);
         let mut parts = row.slopes.iter().copied();
@@ -144,7 +144,7 @@ impl Keeper {
 }
 
 impl Unsettled {
-    /// A constraint whose load is not determined, with the names of what can do all that it does.
+    /// A constraint whose load is not determined, with the names of those that can replace it.
     pub fn add(&mut self, keeper: &Keeper, others: BTreeSet<String>) {
         if let Keeper::Written(number) = keeper {
             self.written.push((*number, others));
@@ -152,7 +152,8 @@ impl Unsettled {
     }
 }
 
-/// The equations of what one unit of the load of a column does together with the others: nothing.
+/// The equations that say that one unit of the load of a column, together with the others, has no
+/// effect.
 pub fn without_column(graph: &mut Graph, equations: &[Equation], column: usize) -> Vec<Equation> {
     let equations = equations.iter().map(|equation| {
         let mut equation = equation.clone();
@@ -165,7 +166,7 @@ pub fn without_column(graph: &mut Graph, equations: &[Equation], column: usize) 
     equations.collect()
 }
 
-/// The tree, of bodies that have no mass and on which nothing acts.
+/// The tree, with massless bodies and without loads.
 pub fn bare(graph: &Graph, built: &Built) -> Tree {
     let mut tree = built.tree.clone();
     tree.gravity = graph.zeros();
@@ -179,7 +180,7 @@ pub fn bare(graph: &Graph, built: &Built) -> Tree {
     tree
 }
 
-/// The rows whose loads are not determined, each with those that can do all that it does.
+/// The rows whose loads are not determined, each with those that can replace it.
 pub fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
     let row = |column: &usize| column.checked_sub(count);
     let undetermined = solved.undetermined.iter();
@@ -190,8 +191,8 @@ pub fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
     open.collect()
 }
 
-/// Reports written constraints that say nothing, or nothing new; `followed` are the symbols of
-/// loads that others follow. A link may be one more than is needed, unless its tension matters.
+/// Reports written constraints that are trivial or redundant; `followed` are the symbols of loads
+/// on which others depend. A link may be redundant, unless its tension matters.
 pub fn check_kept(
     system: &System,
     work: &Workspace,

@@ -12,8 +12,8 @@ use super::world::{Placed, Spot};
 /// One constraint of a joint.
 pub struct JointRow {
     pub row: Row,
-    /// What a unit of its load is on the carried body, at its point of the joint, world axes; on
-    /// the carrier the opposite, at the same place.
+    /// A unit of its load: force and moment on the carried body, at its point of the joint, world
+    /// axes; on the carrier the opposite, at the same place.
     pub force: Components,
     pub moment: Components,
 }
@@ -35,8 +35,8 @@ enum Held {
 #[derive(Clone, Copy)]
 struct Thread {
     axis: Components,
-    /// A direction across the axis: of the carrier, and of the carried body where both are alike at
-    /// zero.
+    /// A direction perpendicular to the axis: fixed in the carrier, and fixed in the carried body.
+    /// Both agree at zero.
     across: [Components; 2],
     /// Metres per radian.
     pitch: Id,
@@ -45,7 +45,7 @@ struct Thread {
 /// Both sides of a joint that closes a loop.
 pub struct Ends<'a> {
     pub closing: &'a Closing,
-    /// The links, the ground without; offsets of the joint from their origins.
+    /// The links, none for the ground; offsets of the joint from their origins.
     pub links: [Option<usize>; 2],
     pub offsets: [Components; 2],
     pub is_planar: bool,
@@ -71,14 +71,14 @@ pub fn rows(graph: &mut Graph, tree: &Tree, placed: &[Placed], ends: &Ends<'_>) 
     rows.collect()
 }
 
-/// The directions that a joint holds, one by one.
+/// The constraints of a joint, one per held direction.
 fn held(graph: &mut Graph, ends: &Ends<'_>) -> Vec<Held> {
     let closing = ends.closing;
     let units = graph.unit_vectors();
     let turned = |graph: &mut Graph, vector: Components| at_zero(graph, closing, vector);
     let axes = if ends.is_planar { 2 } else { 3 };
     let places = || units[..axes].iter().map(|unit| Held::Place(*unit));
-    // all directions of both bodies stay as they are to each other
+    // all directions of both bodies keep their angles to each other
     let still = |graph: &mut Graph| -> Vec<Held> {
         if ends.is_planar {
             return vec![Held::Between(turned(graph, units[0]), units[1])];
@@ -152,7 +152,7 @@ fn held(graph: &mut Graph, ends: &Ends<'_>) -> Vec<Held> {
     all
 }
 
-/// A vector of the carried body, in the axes of the carrier, where the coordinates are zero.
+/// A vector of the carried body, in the axes of the carrier, at zero coordinates.
 fn at_zero(graph: &mut Graph, closing: &Closing, vector: Components) -> Components {
     // the last turn is that of the carried body
     closing
@@ -227,7 +227,7 @@ fn row(
             let n_rate = graph.add_vectors(first, second);
             let (turned, moved) = (graph.dot(alpha, n), graph.dot(w, n_rate));
             let bias = graph.add(turned, moved);
-            // the angle at zero is that of the directions as they are written
+            // the angle at zero is that of the written directions
             let other = at_zero(graph, ends.closing, other);
             let start = graph.dot(own, other);
             let now = graph.dot(e, d);
@@ -251,8 +251,8 @@ fn row(
     }
 }
 
-/// How far one spot is from the other along a direction of the carrier, the rate of that, and its
-/// derivative.
+/// The distance of one spot from the other along a direction of the carrier, its rate, and its
+/// second derivative.
 fn along(graph: &mut Graph, carrier: &Placed, spots: &[Spot; 2], e: Components) -> [Id; 3] {
     let [r, v, a] = [
         (spots[1].place, spots[0].place),
@@ -276,8 +276,7 @@ fn along(graph: &mut Graph, carrier: &Placed, spots: &[Spot; 2], e: Components) 
     [graph.dot(e, r), rate, bias]
 }
 
-/// The same, of which what the thread gives by turning is taken. The place is that but for whole
-/// turns:
+/// The same, minus what the thread advances by turning. The place counts up to whole turns:
 ///
 /// ```text
 /// 2 p tan((x / p - angle) / 2)        p: pitch, x: the place along the axis
@@ -319,8 +318,8 @@ fn follow(
     [graph.multiply(twice, tangent), rate, bias]
 }
 
-/// The power of a force and a moment by the rate of each open freedom: on the carried body, and
-/// with the opposite sign on the carrier, each force at its place.
+/// The power of a force and a moment per rate of each open freedom: on the carried body, and with
+/// the opposite sign on the carrier, each force at its place.
 fn slopes(
     graph: &mut Graph,
     tree: &Tree,
@@ -342,7 +341,7 @@ fn slopes(
     for (index, link) in tree.links.iter().enumerate() {
         let (on, off) = (carried.contains(&index), carrier.contains(&index));
         for freedom in link.open() {
-            // what carries both moves them alike
+            // a freedom that carries both moves them alike
             if on == off {
                 all.push(graph.zero());
                 continue;

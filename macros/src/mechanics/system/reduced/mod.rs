@@ -1,20 +1,21 @@
-//! Motion that is kept to constraints, without their loads.
+//! Motion under constraints, without their loads.
 //!
 //! ```text
 //! M x = f + A^T l        A x = r
 //! ```
 //!
-//! Rows that have a part in one coordinate more than they are leave one way n of moving, `A n = 0`: its
-//! components are their minors, and vanish together only where the rows are dependent. The balances
-//! projected on it have the inertia `n . M n`, and
+//! Rows that contain one coordinate more than their number leave one way n of moving, `A n = 0`.
+//! Its components are their minors, which vanish together only where the rows are dependent. The
+//! balances projected on it have the inertia `n . M n`, and
 //!
 //! ```text
 //! x = p + t n        A p = r,  n . M p = 0        (n . M n) t = n . f
 //! ```
 //!
-//! holds in all states in which the rows are independent: no coordinate is chosen, and none that stands
-//! still is divided by. In all other balances and rows t stands for the coordinates, so that loop after
-//! loop is resolved. Rows of as many coordinates give these. What is left over is eliminated.
+//! holds in all states in which the rows are independent: no coordinate is chosen as independent,
+//! so nothing is divided by one that stands still. In all other balances and rows, t replaces these
+//! coordinates, and loop after loop is solved. Rows with as many coordinates as their number
+//! determine them. The rest is eliminated.
 
 mod balances;
 mod block;

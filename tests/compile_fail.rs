@@ -72,3 +72,20 @@ fn ten_mistakes_are_ten_errors() {
     let errors = report.lines().filter(|line| line.starts_with("error"));
     assert_eq!(errors.count(), 10, "{report}");
 }
+
+/// The page of the guide quotes messages in these words.
+#[test]
+fn documented_errors_are_reported() {
+    let page = include_str!("../runtime/src/guide/errors.md");
+    let all = reports();
+    let quoted = page.lines().filter(|line| line.starts_with("error"));
+    let stale: Vec<&str> = quoted
+        .clone()
+        .filter(|quote| {
+            !all.iter()
+                .any(|(_, report)| report.lines().any(|line| line == *quote))
+        })
+        .collect();
+    assert!(quoted.count() >= 40);
+    assert!(stale.is_empty(), "no case reports: {stale:#?}");
+}

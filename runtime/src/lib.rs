@@ -3,9 +3,11 @@
 //! [`rigid_body!`] reads the properties of a body (mass, inertia, points) and the loads on it
 //! (forces, moments, fields, reactions). It derives the force balance (1.3) and the moment balance
 //! (1.4), drops every term that is zero or unused, and emits straight-line Rust that `cargo expand`
-//! shows like a page of a textbook. Its documentation is the reference of the language. Generated
+//! shows like a page of a textbook. [`rigid_system!`] does the same for joined bodies. Generated
 //! types implement the traits of [`body`] on the states of [`state`]; [`integrate`] moves them.
-//! [`recipes`] has short programs for common tasks.
+//!
+//! The [`guide`] begins with the physics, the [`reference`](mod@reference) describes the language by
+//! topic, and [`recipes`] has short programs for common tasks.
 //!
 //! ```
 //! use newton_euler::prelude::*;
@@ -74,6 +76,8 @@
 //!   ([`integrate::Equations`])
 
 #![no_std]
+// docs.rs shows which feature an item needs
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
@@ -84,12 +88,14 @@ mod bodies;
 #[cfg(feature = "ensemble")]
 pub mod ensemble;
 pub mod exact;
+pub mod guide;
 pub mod integrate;
 mod mechanics;
 mod numbers;
 pub mod prelude;
 #[doc(hidden)]
 pub mod private;
+pub mod reference;
 pub mod state;
 pub mod taylor;
 mod tops;

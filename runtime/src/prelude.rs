@@ -12,6 +12,8 @@ pub use crate::exact::Path as _;
 pub use crate::inertia::InertiaTensor;
 pub use crate::integrate::Integrate;
 #[doc(no_inline)]
+pub use crate::integrate::Sample;
+#[doc(no_inline)]
 pub use crate::linearization::{Linearization, Linearized, Sensitivity, Trim};
 #[doc(no_inline)]
 pub use crate::load::{Family, Load, PlanarLoad};

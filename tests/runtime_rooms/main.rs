@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use modules::{Modules, Needs};
 
 /// What each room may import of the others: only what stands above it here.
-const ROOMS: [(&str, &str); 15] = [
+const ROOMS: [(&str, &str); 17] = [
     ("numbers", ""),
     ("mechanics", "numbers"),
     ("state", "numbers mechanics"),
@@ -32,6 +32,8 @@ const ROOMS: [(&str, &str); 15] = [
     ),
     ("private", "numbers mechanics state bodies exact"),
     ("prelude", ""),
+    ("guide", ""),
+    ("reference", ""),
     ("schema", ""),
 ];
 

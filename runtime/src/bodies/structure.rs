@@ -63,7 +63,7 @@ use crate::bodies::body::RigidBody;
 /// ```
 /// use newton_euler::prelude::*;
 /// use newton_euler::structure::{Dependence, Structure, Structured};
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 ///
 /// struct Ball { drag: f64 }
 ///

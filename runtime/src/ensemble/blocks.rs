@@ -19,7 +19,7 @@ pub(super) type Eight = [f64; BLOCK];
 /// a block is read from one place in memory however many columns there are.
 ///
 /// ```
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 /// use newton_euler::ensemble::Blocks;
 ///
 /// let mut list: Blocks<Vector3<f64>> = (0..20_u8).map(|i| Vector3::x() * f64::from(i)).collect();

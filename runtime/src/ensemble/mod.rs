@@ -39,7 +39,7 @@ pub use plan::Limits;
 ///
 /// ```
 /// use newton_euler::{ensemble::Ensemble, prelude::*};
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 ///
 /// rigid_body!(Stone::<T> {
 ///     motion: spatial,

@@ -9,7 +9,7 @@ use crate::state::{Hinge, Planar, Rod, Rotation, Spatial};
 /// ```
 /// use newton_euler::exact::{Flight, FreeRotation, Parabola, Path};
 /// use newton_euler::prelude::*;
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 ///
 /// let thrown = Rotation { angular_velocity: Vector3::new(0.0, 0.0, 2.0), ..Rotation::default() };
 /// let ball = Flight {

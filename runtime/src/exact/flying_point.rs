@@ -13,7 +13,7 @@ use crate::state::{Hinge, Planar, Rotation, Spatial};
 /// ```
 /// use newton_euler::exact::{FlyingPoint, FreeRotation, Path};
 /// use newton_euler::prelude::*;
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 ///
 /// // the grip of a hammer that turns about its center of mass, a meter away
 /// let grip = Spatial {

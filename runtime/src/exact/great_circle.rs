@@ -14,7 +14,7 @@ use crate::numbers::twofold::Twofold;
 ///
 /// ```
 /// use newton_euler::exact::GreatCircle;
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 ///
 /// let circle = GreatCircle::new(Vector3::x_axis(), Vector3::new(0.0, 2.0, 0.0));
 /// let (axis, rate) = circle.at(core::f64::consts::FRAC_PI_4);

@@ -35,7 +35,7 @@ use crate::state::Rotation;
 /// ```
 /// use newton_euler::exact::{Gyrostat, Path};
 /// use newton_euler::prelude::*;
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 ///
 /// // A = 12, 9 about the axis without the rotor, which has 4.2 N m s
 /// let start = Rotation { angular_velocity: Vector3::new(0.1, -0.06, 0.25), ..Rotation::default() };

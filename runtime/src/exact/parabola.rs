@@ -10,7 +10,7 @@ use crate::state::{Hinge, PlanarTranslation, Translation};
 ///
 /// ```
 /// use newton_euler::exact::Parabola;
-/// use nalgebra::Vector2;
+/// use newton_euler::nalgebra::Vector2;
 ///
 /// let thrown = Parabola {
 ///     position: Vector2::zeros(),

@@ -129,8 +129,9 @@ impl Pendulum {
     /// The period of a full swing or of a rotation \[s\]; infinite on the separatrix.
     ///
     /// ```
-    /// # use newton_euler::exact::Pendulum;
-    /// # use newton_euler::prelude::*;
+    /// use newton_euler::exact::Pendulum;
+    /// use newton_euler::prelude::*;
+    ///
     /// let small = Pendulum::new(2.0, 0.0, &Hinge { angle: 1e-9, angular_velocity: 0.0 });
     /// assert!((small.period() - core::f64::consts::PI).abs() < 1e-15);
     /// ```

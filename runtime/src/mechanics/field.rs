@@ -23,7 +23,7 @@ use crate::numbers::twofold::Twofold;
 /// in the same axes. For charges given in the body, rotate the field into body axes.
 ///
 /// ```
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 /// use newton_euler::field::Charges;
 ///
 /// // Weight acts at the center of mass.
@@ -51,7 +51,7 @@ impl Charges {
     /// term, with an absolute error of 1e-32 times that term.
     ///
     /// ```
-    /// use nalgebra::Vector3;
+    /// use newton_euler::nalgebra::Vector3;
     /// use newton_euler::field::Charges;
     ///
     /// let arm = Vector3::new(0.0, 0.0, 0.5);
@@ -103,7 +103,7 @@ impl Charges {
     /// determine; force and moment do not depend on it.
     ///
     /// ```
-    /// use nalgebra::Vector3;
+    /// use newton_euler::nalgebra::Vector3;
     /// use newton_euler::field::Charges;
     ///
     /// let line = [(0.1, 1.0), (0.2, 2.0), (-0.3, 3.0)].map(|(e, x)| (e, Vector3::x() * x));
@@ -140,7 +140,7 @@ impl Charges {
     /// at R \[m\]; zero for a charge at R = 0.
     ///
     /// ```
-    /// use nalgebra::Vector3;
+    /// use newton_euler::nalgebra::Vector3;
     /// use newton_euler::field::Charges;
     ///
     /// let apple = Charges::from_points([(0.125, Vector3::zeros())]);

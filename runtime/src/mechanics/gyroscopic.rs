@@ -63,7 +63,7 @@ pub fn squares(inertia: &InertiaTensor) -> Matrix3<f64> {
 /// m²\]: body axes, to be multiplied with `(ω_y ω_z, ω_z ω_x, ω_x ω_y)`.
 ///
 /// ```
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 /// use newton_euler::{gyroscopic, prelude::*};
 ///
 /// // In principal axes this is all there is: Euler's equations.
@@ -81,7 +81,7 @@ pub fn products(inertia: &InertiaTensor) -> Matrix3<f64> {
 /// `G(ω) = [ω]× J` \[kg m²/s\], by which `ω × Jω = G(ω) ω`; ω in body axes \[rad/s\].
 ///
 /// ```
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 /// use newton_euler::{gyroscopic, prelude::*};
 ///
 /// let inertia = InertiaTensor::principal(1.0, 2.0, 3.0)?;
@@ -98,7 +98,7 @@ pub fn matrix(inertia: &InertiaTensor, angular_velocity: &Vector3<f64>) -> Matri
 /// \[rad/s\].
 ///
 /// ```
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 /// use newton_euler::{gyroscopic, prelude::*};
 ///
 /// let inertia = InertiaTensor::principal(1.0, 2.0, 3.0)?;
@@ -119,7 +119,7 @@ pub fn linearization(inertia: &InertiaTensor, angular_velocity: &Vector3<f64>) -
 /// two operations fewer, and keeps all digits for nearly spherical bodies.
 ///
 /// ```
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 /// use newton_euler::{gyroscopic, prelude::*};
 ///
 /// let inertia = InertiaTensor::principal(1.0, 2.0, 3.0)?;
@@ -145,7 +145,7 @@ pub fn torque(inertia: &InertiaTensor, angular_velocity: &Vector3<f64>) -> Vecto
 /// m\]; body axes throughout.
 ///
 /// ```
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 /// use newton_euler::{gyroscopic, prelude::*};
 ///
 /// let inertia = InertiaTensor::products(1.3, 1.7, 2.1, 0.12, 0.05, -0.07)?;

@@ -33,7 +33,7 @@ use crate::numbers::scalar::{Scalar, either};
 ///
 /// ```
 /// use newton_euler::prelude::*;
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 ///
 /// let thrown = Rod { axis_rate: Vector3::new(0.0, 0.2, 0.0), ..Rod::default() };
 /// let later = thrown.moved(&(thrown.rate(&RodAcceleration::default()) * 10.0));
@@ -91,7 +91,7 @@ impl<T: Scalar> Rod<T> {
     ///
     /// ```
     /// use newton_euler::prelude::*;
-    /// use nalgebra::Vector3;
+    /// use newton_euler::nalgebra::Vector3;
     ///
     /// let rod = Rod { axis_rate: Vector3::new(0.0, 2.0, 0.0), ..Rod::default() };
     /// assert_eq!(rod.angular_velocity(), Vector3::new(0.0, 0.0, 2.0));

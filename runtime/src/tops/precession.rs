@@ -26,7 +26,7 @@ use crate::state::Rotation;
 ///
 /// ```
 /// use core::f64::consts::TAU;
-/// use nalgebra::{UnitQuaternion, Vector3};
+/// use newton_euler::nalgebra::{UnitQuaternion, Vector3};
 /// use newton_euler::precession::Precession;
 ///
 /// // The earth: precession (westward) in 25,772 years of 366.24 turns each.
@@ -53,7 +53,7 @@ impl Precession {
     /// the spin about the body's third axis relative to the precessing frame \[rad/s\].
     ///
     /// ```
-    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use newton_euler::nalgebra::{UnitQuaternion, Vector3};
     /// use newton_euler::precession::Precession;
     ///
     /// let rolling = Precession::new(UnitQuaternion::identity(), Vector3::x_axis(), 2.0, 0.0);

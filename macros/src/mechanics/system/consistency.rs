@@ -10,8 +10,8 @@ use super::closed::Closed;
 use super::equations::SystemEquations;
 use super::rates::order;
 
-/// The constraints as the runtime is told of them, each with what it may be in a state of this
-/// size.
+/// The constraints as the runtime sees them, each with the rounding that it may have in a state of
+/// this size.
 pub fn derive_system_consistency(
     system: &System,
     work: &mut Workspace,
@@ -87,8 +87,8 @@ fn reached(graph: &mut Graph, value: Id, coupling: Id, of_state: Id) -> Id {
     graph.apply(Function::Max, &[size, across])
 }
 
-/// The same as twice the kinetic energy, with an angle of one in the place of the rate of each
-/// freedom that turns, and nothing for those that slide.
+/// As twice the kinetic energy, with one in place of the rate of each rotation, and zero for each
+/// slide.
 fn turn(work: &mut Workspace, equations: &SystemEquations, inertias: &[Id]) -> Id {
     let freedoms = equations.built.tree.links.iter().flat_map(Link::open);
     let turning = freedoms

@@ -17,15 +17,15 @@ use super::rates::{order, rates};
 
 /// The equations of motion of a system.
 pub struct SystemEquations {
-    /// Of the freedoms of each joint.
+    /// The accelerations of the freedoms of each joint.
     pub accelerations: Vec<Vec<Id>>,
     pub switches: Vec<Switch>,
     pub partial: Vec<Partial>,
     left_out: Vec<String>,
-    /// With other origins and axes, and without the parts that joints do not distinguish.
+    /// The tree with chosen origins and axes, after the reductions.
     pub(super) reduced: Tree,
     pub(super) built: Built,
-    /// Its constraints, if it is not a tree that moves freely.
+    /// The solution under constraints, if there are any.
     pub(super) closed: Option<Closed>,
 }
 
@@ -86,7 +86,7 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
 }
 
 impl SystemEquations {
-    /// The tree, with the loads of what is kept on its links.
+    /// The tree, with the constraint loads on its links.
     pub(super) fn loaded(&self) -> &Tree {
         let closed = self.closed.as_ref();
         closed.map_or(&self.built.tree, |closed| &closed.loaded)

@@ -41,7 +41,7 @@ pub fn check_independence(
     sound
 }
 
-/// The freedoms that a matrix has no inertia for once those behind them give way: proved, in all
+/// The freedoms that have no inertia in a matrix once those beyond them give way: proved, in all
 /// states.
 fn dependent(work: &Workspace, rows: &[Vec<Id>]) -> Vec<usize> {
     let all = samples(work, &rows.concat());

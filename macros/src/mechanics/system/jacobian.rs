@@ -5,8 +5,8 @@ use crate::symbolic::{Components, Id};
 
 use super::rates::rates;
 
-/// For each rate of the system, the velocity of a point and the angular velocity of its body that
-/// go with it, world axes.
+/// For each rate of the system, the velocity of a point and the angular velocity of its body per
+/// unit of that rate, world axes.
 pub type Jacobian = Vec<[Components; 2]>;
 
 /// Those of the requested points; rates in the order of the state.

@@ -74,9 +74,8 @@ fn report_undetermined(names: &[&Ident], unknowns: &[Undetermined], errors: &mut
     }
 }
 
-/// Reports freedoms whose accelerations no open drive can give: their balances are left over.
-/// Constraints that hold at times only leave such rows too where they do not hold: then nothing is
-/// reported.
+/// Reports freedoms whose accelerations no open drive can produce: their balances are left over.
+/// Constraints that are trivial on a branch also leave such rows; then nothing is reported.
 fn report_undriven(system: &System, closed: &Closed, spare: &[(usize, Id)], errors: &mut Errors) {
     if closed.rows().any(|row| row.active.is_some()) {
         return;
@@ -92,8 +91,8 @@ fn report_undriven(system: &System, closed: &Closed, spare: &[(usize, Id)], erro
     }
 }
 
-/// The load along each freedom that is not prescribed, joint by joint, that makes it accelerate as
-/// is given, less what is known to act there.
+/// The load along each open freedom, joint by joint, that produces the given acceleration, minus
+/// the known loads there.
 fn needed(system: &System, work: &mut Workspace, equations: &SystemEquations) -> Vec<Id> {
     let tree = moved_in_world(work, &equations.reduced);
     let given: Vec<Vec<Id>> = system.joints.iter().map(TreeJoint::accelerations).collect();
@@ -160,8 +159,8 @@ pub fn derive_system_reactions(
     named(system, &joints, &closed)
 }
 
-/// The symbols of what joints carry, as checks ask for it, and what they do; no value where the
-/// balances leave it open.
+/// The symbols of the loads of joints, as checks ask for them, and their expressions; no value if
+/// the balances leave a load open.
 pub fn derive_system_held(
     system: &System,
     work: &mut Workspace,
@@ -184,8 +183,8 @@ pub fn derive_system_held(
     known.collect()
 }
 
-/// What the balances leave open: the name of the joint, link or constraint, and which part of its
-/// load, in order.
+/// The loads that the balances leave open: the name of the joint, link or constraint, and the part
+/// of its load, in order.
 pub fn derive_system_open(
     system: &System,
     work: &Workspace,
@@ -232,7 +231,7 @@ pub fn derive_system_release(
     })
 }
 
-/// What is known of the joints of the tree, and of those that close loops, by name.
+/// The known loads of the joints of the tree, and of those that close loops, by name.
 fn named(
     system: &System,
     joints: &[[Components; 2]],
@@ -248,8 +247,8 @@ fn named(
     all.map(|(name, wrench)| (name.clone(), *wrench)).collect()
 }
 
-/// The loads along the freedoms whose motion is prescribed, joint by joint, less what else is known
-/// to act there: the drives that make it so.
+/// The loads along the freedoms whose motion is prescribed, joint by joint, minus the other known
+/// loads there: these are the drives that produce the motion.
 pub fn derive_system_driving(work: &mut Workspace, equations: &SystemEquations) -> Vec<Vec<Id>> {
     let tree = equations.loaded();
     let loads = loads(work, equations, tree, &equations.accelerations);

@@ -49,7 +49,7 @@ pub fn unit_motion(
     }
 }
 
-/// What is before the rates in the state of a joint, with these rates.
+/// The change of the coordinates of a joint, with these rates.
 fn places(
     work: &mut Workspace,
     joint: &TreeJoint,
@@ -59,7 +59,8 @@ fn places(
     moved.map(|one| (one.symbol, one.rate)).collect()
 }
 
-/// How fast the frames of a joint turn, each against the one before, with these rates.
+/// The angular velocities of the frames of a joint, each relative to the one before, with these
+/// rates.
 fn turns_of(
     joint: &TreeJoint,
     work: &mut Workspace,
@@ -84,7 +85,7 @@ fn turns_of(
     turns
 }
 
-/// What is before the rates in the state of a joint, with its rates.
+/// The coordinates in the state of a joint, with its rates.
 pub fn positions(work: &mut Workspace, joint: &TreeJoint) -> Vec<Coordinate> {
     moved(work, joint, |variable, part| {
         joint.coordinates.get(variable, part)

@@ -10,7 +10,7 @@ use super::equations::SystemEquations;
 use super::loads::by_link;
 use super::rates::order;
 
-/// Of each body, about the point of it at which its joint holds it, each after its carrier.
+/// For each body, about the point that its joint holds, each after its carrier.
 pub fn derive_system_regressors(
     system: &System,
     work: &mut Workspace,

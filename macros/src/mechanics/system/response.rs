@@ -1,4 +1,4 @@
-//! What accelerations change by, to first order, with what the balances change by.
+//! The first-order change of the accelerations, from that of the balances.
 //!
 //! ```text
 //! r(x, a) = 0, linear in a:    M da = -dr,    M = dr/da
@@ -18,12 +18,12 @@ use super::equations::SystemEquations;
 use super::loads::lacking_with;
 use super::rates::order;
 
-/// The balances along the freedoms of a tree, with accelerations that are given.
+/// The balances along the freedoms of a tree, with given accelerations.
 pub struct Response {
     matrix: MassMatrix,
     /// The load that each freedom lacks, by the symbols of the accelerations.
     pub lacking: Vec<Id>,
-    /// What these symbols stand for.
+    /// The accelerations that these symbols stand for.
     values: HashMap<Id, Id>,
     /// The accelerations by the same matrix, in the order of the state.
     pub accelerations: Vec<Id>,
@@ -32,7 +32,7 @@ pub struct Response {
 }
 
 impl Response {
-    /// Of a tree that moves freely, whose loads follow no accelerations.
+    /// For a tree without constraints, whose loads do not depend on accelerations.
     pub fn of(system: &System, work: &mut Workspace, equations: &SystemEquations) -> Option<Self> {
         equations.closed.is_none().then_some(())?;
         let tree = moved_in_world(work, &equations.reduced);
@@ -53,7 +53,7 @@ impl Response {
         })
     }
 
-    /// The change of the accelerations, in the order of the state, where what is lacking changes by
+    /// The change of the accelerations, in the order of the state, if the lacking loads change by
     /// this.
     pub fn to(&mut self, work: &mut Workspace, change: &[Id]) -> Vec<Id> {
         let known = &self.values;

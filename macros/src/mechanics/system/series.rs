@@ -10,8 +10,8 @@ use super::equations::loads;
 use super::motion::positions;
 use super::rates::velocities;
 
-/// The recurrences, if they exist; what is in their way is reported where they are asked for. The
-/// joints are in the order in which the state has them, each with its accelerations.
+/// The recurrences, if they exist; obstacles are reported at the request for them. The joints are
+/// in the order of the state, each with its accelerations.
 pub fn derive_system_taylor(
     system: &System,
     work: &mut Workspace,

@@ -1,7 +1,7 @@
-//! Norms where they are zero. There a norm has no slope, but what it is a factor of may have one:
-//! quadratic drag `|v| v` has none at rest. So a norm counts as level where it is zero.
+//! Norms where they are zero. There a norm has no slope, but a product with it may have one:
+//! quadratic drag `|v| v` has the slope zero at rest. So a norm counts as level where it is zero.
 //!
-//! A norm that something is divided by stays as it is: where it is zero, that has no value either.
+//! A norm that is a divisor is unchanged: where it is zero, the quotient has no value.
 
 use std::collections::HashSet;
 
@@ -26,7 +26,7 @@ impl Graph {
         })
     }
 
-    /// Whether it is a hypotenuse, or a root of what is no less than zero and no divisor.
+    /// Whether it is a hypotenuse, or the root of a nonnegative expression, and not a divisor.
     fn is_norm(&self, id: Id, divisors: &HashSet<Id>) -> bool {
         match *self.node(id) {
             Node::Unary(Function::Sqrt, a) => !divisors.contains(&a) && self.may_touch_zero(a),
@@ -35,7 +35,7 @@ impl Graph {
         }
     }
 
-    /// All factors that something is divided by.
+    /// All factors of divisors.
     fn divisors(&self, roots: &[Id], is_leaf: impl Fn(Id) -> bool) -> HashSet<Id> {
         let all = self.reachable(roots, |id| !is_leaf(id)).into_iter();
         let divisors = all.filter_map(|id| match *self.node(id) {

@@ -1,24 +1,24 @@
-//! Convolutions gathered into sums: where coefficients are linear in convolutions that nothing else
+//! Convolutions gathered into sums. Where coefficients are linear in convolutions that nothing else
 //! reads,
 //!
 //! ```text
 //! z[n] = w1 (a * b) + w2 (c * d) + .. + rest
 //! ```
 //!
-//! with weights that are held along a step, those of one level are one sum, which is computed in
-//! one lane. What is linear in coefficients is added there too.
+//! with weights that are constant along a step, the convolutions of one level form one sum, which
+//! is computed in one lane. Terms that are linear in coefficients are added there too.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 use crate::symbolic::graph::{Graph, Id, Node, Stage};
 
-/// The numbers of a register, which are computed side by side.
+/// The numbers in a register, which are computed side by side.
 pub const LANES: usize = 8;
 
 /// A convolution of two series.
 #[derive(Clone, Copy, Debug)]
 pub struct Product {
-    /// The expression that it was written for.
+    /// The expression for which it was written.
     pub of: Id,
     pub level: usize,
     /// The symbol of its value.
@@ -26,11 +26,12 @@ pub struct Product {
     pub factors: [Factor; 2],
 }
 
-/// A series that is multiplied.
+/// A factor of a convolution: a series.
 #[derive(Clone, Copy, Debug)]
 pub struct Factor {
     pub start: Id,
-    /// Its n-th coefficient; if it is known later than the convolution, that does not depend on it.
+    /// Its n-th coefficient. If that is known only after the convolution, the convolution does not
+    /// depend on it.
     pub next: Id,
 }
 
@@ -42,11 +43,11 @@ pub struct Sum {
     /// The symbol of its value.
     pub value: Id,
     pub terms: Vec<Term>,
-    /// Coefficients that are added, with their weights, which are held.
+    /// Added coefficients, with their weights, which are constant along a step.
     pub linear: Vec<(Id, Id)>,
 }
 
-/// What a sum is part of.
+/// The target of a sum.
 #[derive(Clone, Copy, Debug)]
 pub enum Origin {
     /// The rate of a coordinate, by its place.
@@ -57,22 +58,22 @@ pub enum Origin {
     Product(Id),
 }
 
-/// A convolution with its weight, which is held.
+/// A convolution with its weight, which is constant along a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Term {
     pub weight: Id,
     pub factors: [Factor; 2],
 }
 
-/// What is read of convolutions: coefficients, and the factors of further convolutions.
+/// The readers of convolutions: coefficients, and the factors of further convolutions.
 pub(in crate::symbolic) struct Readers<'r> {
     pub rates: &'r mut Vec<Id>,
     pub results: &'r mut Vec<(Id, Id)>,
-    /// The symbols that change from order to order, beside the convolutions.
+    /// The symbols that change from order to order, besides the convolutions.
     pub symbols: Vec<Id>,
 }
 
-/// Products by their places, and what is added to them, with weights.
+/// Products by their places, and added terms, with weights.
 struct Weighted {
     level: usize,
     terms: Vec<(Id, usize)>,
@@ -92,7 +93,7 @@ impl Weighted {
 }
 
 impl Graph {
-    /// The sums that are read; the readers are written in them.
+    /// The sums that are read; the readers are rewritten in terms of them.
     pub(in crate::symbolic) fn gathered(
         &mut self,
         products: &[Product],
@@ -110,8 +111,8 @@ impl Graph {
             .chain(factors.map(|factor| factor.next))
             .collect();
         let found = self.weighted(products, &roots, symbols.clone());
-        // what is added to a sum was gathered before it; rates in a row are the next coefficients
-        // in a row
+        // terms added to a sum were gathered before it; consecutive rates are consecutive next
+        // coefficients
         let mut found: Vec<(Id, Weighted)> = found.into_iter().collect();
         let place = |id: Id| rates.iter().position(|rate| *rate == id);
         found.sort_by_key(|(id, sum)| (sum.level, place(*id).unwrap_or(rates.len())));
@@ -155,7 +156,7 @@ impl Graph {
         }
     }
 
-    /// What is added to a sum: returned if it is linear in coefficients, the rest goes into
+    /// The terms added to a sum: returned if they are linear in coefficients, the rest goes into
     /// `whole`.
     fn added(
         &mut self,
@@ -181,7 +182,7 @@ impl Graph {
         })
     }
 
-    /// Writes all that reads convolutions in the sums that they were gathered into.
+    /// Rewrites all readers of convolutions in terms of the sums.
     fn write_readers(
         &mut self,
         rates: &mut [Id],
@@ -203,8 +204,8 @@ impl Graph {
         }
     }
 
-    /// A sum for each coordinate, where there are products and all that changes is a sum or linear
-    /// in coefficients: these rates are computed side by side. Otherwise the sums as they are.
+    /// One sum for each coordinate, if there are products and everything that changes is a sum or
+    /// linear in coefficients: these rates are computed side by side. Otherwise the sums unchanged.
     fn all_rates(
         &mut self,
         rates: &mut [Id],
@@ -237,8 +238,8 @@ impl Graph {
         all
     }
 
-    /// An expression as a sum of symbols with weights that are held, if it is one: neither these
-    /// symbols are in them nor `values`, those of sums.
+    /// An expression as a sum of symbols with constant weights, if it is one: the weights contain
+    /// neither these symbols nor `values`, the symbols of sums.
     fn linear_in(&mut self, id: Id, symbols: &[Id], values: &HashSet<Id>) -> Option<Vec<(Id, Id)>> {
         let zero = self.zero();
         let found = self.reachable(&[id], |_| true);
@@ -262,7 +263,7 @@ impl Graph {
         self.is_zero(rest).then_some(terms)
     }
 
-    /// `roots`, with some expressions in what they are written in.
+    /// `roots`, with some expressions replaced.
     fn rewritten(&mut self, roots: &[Id], written: &HashMap<Id, Id>) -> Vec<Id> {
         self.rebuild(roots, |graph, id, image| {
             let known = written.get(&id).copied();
@@ -270,7 +271,7 @@ impl Graph {
         })
     }
 
-    /// The largest sums that are read, by what reads them.
+    /// The largest sums that are read, by their readers.
     fn weighted(
         &mut self,
         products: &[Product],
@@ -285,7 +286,8 @@ impl Graph {
         let values = products
             .iter()
             .map(|product| (product.value, product.level + 1));
-        // those that change from order to order, with the number of convolutions that they wait for
+        // the expressions that change from order to order, with the number of convolutions before
+        // them
         let mut levels: HashMap<Id, usize> = coefficients.chain(values).collect();
         let order = self.reachable(roots, |_| true);
         let readers = self.readers(&order, roots);
@@ -310,8 +312,8 @@ impl Graph {
             let Some(parts) = self.weighted_parts(&node, |part| !levels.contains_key(&part)) else {
                 continue;
             };
-            // what waits longest is gathered, unless it is read elsewhere; to this the rest is
-            // added
+            // terms with the most convolutions before them are gathered, unless they are read
+            // elsewhere; the rest is added
             let gathered = |part: &Id| found.contains_key(part) && readers.get(part) == Some(&1);
             let is_late = |part: &Id| levels.get(part) == Some(&waits);
             let mut late = parts.iter().filter(|(_, part)| is_late(part));
@@ -334,7 +336,7 @@ impl Graph {
         found
     }
 
-    /// What a node is the sum of, each with its weight, which is held; `None` if it is not linear.
+    /// The terms of a node, each with its constant weight; `None` if it is not linear.
     fn weighted_parts(
         &mut self,
         node: &Node,

@@ -21,7 +21,7 @@ pub(in crate::symbolic) struct Expansion<'g> {
     pub(in crate::symbolic) pending: Vec<(usize, usize, Series)>,
 }
 
-/// A series that is made of that of an expression.
+/// A series made from that of an expression.
 #[derive(Clone, Copy)]
 pub(in crate::symbolic) enum Series {
     Plain(Id),
@@ -104,7 +104,7 @@ impl Expansion<'_> {
         (sum, level + 1)
     }
 
-    /// What is held is a number along the step, and so is the product of two of them.
+    /// A held factor is a number along the step, and so is the product of two of them.
     fn scaled(&mut self, held: Id, coefficient: Id) -> Id {
         let (held, coefficient) = match *self.graph.node(coefficient) {
             Node::Multiply(a, b) if self.is_held(a) => (self.graph.multiply(held, a), b),
@@ -246,7 +246,7 @@ impl Expansion<'_> {
         sum
     }
 
-    /// The factors, now that all coefficients are known, and what came of it.
+    /// The factors, now that all coefficients are known, and the result.
     pub(in crate::symbolic) fn finish(
         self,
         coefficients: Vec<Id>,

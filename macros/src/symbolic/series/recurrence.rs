@@ -1,8 +1,8 @@
 //! Taylor series of a motion: the n-th coefficients of expressions, from those before.
 //!
-//! A motion is a list of coordinates with their rates. What is linear in series has coefficients of
-//! the same combination; everything else has a recurrence in convolutions `sum_j a[j] b[n - j]`, by
-//! its differential equation:
+//! A motion is a list of coordinates with their rates. A linear combination of series has the same
+//! combination of coefficients. Everything else has a recurrence in convolutions `sum_j a[j] b[n -
+//! j]`, from its differential equation:
 //!
 //! ```text
 //! z = a b:     z[n] = a * b
@@ -12,12 +12,12 @@
 //! w z' = a':   z[n] = (a[n] - (z' * w) / n) / w[0]
 //! ```
 //!
-//! with `a*` the series without its start, and `a'[j] = j a[j]`. What is not known yet is
-//! multiplied by zero: so all of these are convolutions of the same kind, and many can be done side
-//! by side.
+//! with `a*` the series without its start, and `a'[j] = j a[j]`. Coefficients that are not known
+//! yet are multiplied by zero. So all of these are convolutions of the same kind, and many can be
+//! computed side by side.
 //!
-//! In what is written for n, symbols of their own stand for n-th coefficients, and the expressions
-//! of the description for their values at the start.
+//! In the code for order n, new symbols stand for n-th coefficients, and the expressions of the
+//! description for their values at the start.
 
 use crate::symbolic::graph::{Graph, Id, Node, Stage};
 use crate::symbolic::number::Function;
@@ -97,7 +97,7 @@ impl Graph {
         expansion.finish(coefficients, polynomials, start)
     }
 
-    /// What has to be differentiated in `roots`, children first: not the size that guards a
+    /// The parts of `roots` that are differentiated, children first: not the size that guards a
     /// divisor.
     fn differentiated(&self, roots: &[Id]) -> Vec<Id> {
         let mut seen = std::collections::HashSet::new();
@@ -126,8 +126,8 @@ impl Graph {
         moves
     }
 
-    /// `roots` in operations that have a recurrence; quantities are looked into, so that factors
-    /// known early come out of products.
+    /// `roots` in operations that have a recurrence. Quantities are expanded, so that factors known
+    /// early come out of products.
     fn elementary(&mut self, roots: &[Id], symbols: &[Id]) -> Vec<Id> {
         let order = self.reachable(roots, |_| true);
         let moves = self.moving(&order, symbols);
@@ -148,7 +148,7 @@ impl Graph {
         })
     }
 
-    /// What `roots` are made of, with the companions of the functions in it, children first.
+    /// The parts of `roots`, with the companions of their functions, children first.
     fn with_companions(&mut self, roots: &[Id], symbols: &[Id]) -> Vec<Id> {
         let mut roots = roots.to_vec();
         loop {

@@ -1,5 +1,4 @@
-//! What the recurrences of a series are: products, sums, and what follows from them, level by
-//! level.
+//! The recurrences of a series: products, sums, and their results, level by level.
 
 use crate::symbolic::graph::Id;
 
@@ -12,7 +11,8 @@ pub struct Coordinate {
     pub rate: Id,
 }
 
-/// A symbol that goes on by itself, in time: its coefficients from order 1 on, which are held.
+/// A symbol that continues in time by itself: its coefficients from order 1 on, which are constant
+/// along a step.
 #[derive(Clone, Debug)]
 pub struct Polynomial {
     pub symbol: Id,
@@ -24,14 +24,14 @@ pub struct Polynomial {
 pub struct Recurrences {
     /// The symbols of the n-th coefficients of the coordinates.
     pub coefficients: Vec<Id>,
-    /// What goes on by itself, each with the symbol of its n-th coefficient.
+    /// The symbols that continue by themselves, each with the symbol of its n-th coefficient.
     pub polynomials: Vec<(Polynomial, Id)>,
     /// The symbols of n, and of 1/n.
     pub order: Id,
     pub inverse: Id,
     /// The n-th coefficients of quotients and functions.
     pub results: Vec<(Id, Id)>,
-    /// The convolutions, by level: what a level multiplies is made of the levels below.
+    /// The convolutions, by level: the factors of a level are made of the levels below.
     pub sums: Vec<Sum>,
     /// The rates of the coordinates at the start, and their n-th coefficients.
     pub start: Vec<Id>,

@@ -103,7 +103,7 @@ pub trait Momentum: RigidBody {
 ///
 /// ```
 /// use newton_euler::prelude::*;
-/// use nalgebra::Vector2;
+/// use newton_euler::nalgebra::Vector2;
 ///
 /// /// A bob of mass m at l below a pin, angle from the vertical.
 /// struct Pendulum { mass: f64, length: f64 }

@@ -8,7 +8,7 @@ use crate::state::State;
 ///
 /// ```
 /// use newton_euler::prelude::*;
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 ///
 /// /// A body that falls through still air.
 /// struct Ball { mass: f64, drag: f64 }
@@ -53,7 +53,7 @@ pub trait RigidBody {
     ///
     /// ```
     /// use newton_euler::{integrate::Switches, prelude::*};
-    /// use nalgebra::Vector2;
+    /// use newton_euler::nalgebra::Vector2;
     ///
     /// struct Kicked { at: f64 }
     ///

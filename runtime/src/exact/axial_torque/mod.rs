@@ -47,7 +47,7 @@ use sweep::Sweep;
 /// ```
 /// use newton_euler::exact::{AxialTorque, Path};
 /// use newton_euler::prelude::*;
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 ///
 /// // a stage that is spun up: its wobble decreases relative to its spin
 /// let start = Rotation { angular_velocity: Vector3::new(0.3, 0.0, 0.5), ..Rotation::default() };

@@ -26,7 +26,7 @@ use regular::Regular;
 /// ```
 /// use newton_euler::exact::{FreeRotation, Path};
 /// use newton_euler::prelude::*;
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 ///
 /// // spun about the intermediate axis
 /// let handle = InertiaTensor::principal(1.0, 2.0, 3.0)?;
@@ -64,9 +64,10 @@ impl FreeRotation {
     /// matrix, right-handed, body axes.
     ///
     /// ```
-    /// # use newton_euler::exact::{FreeRotation, Path};
-    /// # use newton_euler::prelude::*;
-    /// # use nalgebra::{Matrix3, Vector3};
+    /// use newton_euler::exact::{FreeRotation, Path};
+    /// use newton_euler::nalgebra::{Matrix3, Vector3};
+    /// use newton_euler::prelude::*;
+    ///
     /// let state =
     ///     Rotation { angular_velocity: Vector3::new(0.3, 0.0, 2.0), ..Rotation::default() };
     /// let motion = FreeRotation::principal([2.0, 2.0, 1.0], &Matrix3::identity(), &state);
@@ -105,9 +106,10 @@ impl FreeRotation {
     /// axis, in the body.
     ///
     /// ```
-    /// # use newton_euler::exact::{FreeRotation, Path};
-    /// # use newton_euler::prelude::*;
-    /// # use nalgebra::Vector3;
+    /// use newton_euler::exact::{FreeRotation, Path};
+    /// use newton_euler::nalgebra::Vector3;
+    /// use newton_euler::prelude::*;
+    ///
     /// let state =
     ///     Rotation { angular_velocity: Vector3::new(2.0, 0.0, 0.3), ..Rotation::default() };
     /// let motion = FreeRotation::symmetric([2.0, 1.0], Vector3::x_axis(), &state);
@@ -126,9 +128,10 @@ impl FreeRotation {
     /// principal axis.
     ///
     /// ```
-    /// # use newton_euler::exact::{FreeRotation, Path};
-    /// # use newton_euler::prelude::*;
-    /// # use nalgebra::Vector3;
+    /// use newton_euler::exact::{FreeRotation, Path};
+    /// use newton_euler::nalgebra::Vector3;
+    /// use newton_euler::prelude::*;
+    ///
     /// let state =
     ///     Rotation { angular_velocity: Vector3::new(0.0, 3.0, 4.0), ..Rotation::default() };
     /// let ball = FreeRotation::steady(&state);

@@ -40,7 +40,7 @@ use turning_points::{Start, TurningPoints};
 /// ```
 /// use newton_euler::exact::{LagrangeTop, Path};
 /// use newton_euler::prelude::*;
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 ///
 /// // released with its axis level: it falls, and rises again to its initial height
 /// let start = Rotation {

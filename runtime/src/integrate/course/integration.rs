@@ -24,7 +24,7 @@ pub(crate) const TOLERANCE: f64 = 1e-9;
 ///
 /// ```
 /// use newton_euler::{integrate::RungeKuttaPair, prelude::*};
-/// use nalgebra::Vector2;
+/// use newton_euler::nalgebra::Vector2;
 ///
 /// struct Thrown { drag: f64 }
 ///
@@ -110,7 +110,6 @@ pub trait Integrate: RigidBody<Scalar = f64> + Sized {
 /// }
 /// let end = elevator.integrate(&ground).control(0.01, pull).tolerance(1e-12).to(15.0)?;
 /// assert!((end.position.z - 12.0).abs() < 1e-4);
-/// # use newton_euler::integrate::Sample;
 /// # Ok::<(), newton_euler::integrate::IntegrationError<Translation>>(())
 /// ```
 #[must_use = "nothing moves until an end is given"]

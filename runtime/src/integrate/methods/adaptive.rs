@@ -25,7 +25,7 @@ const GROW: f64 = 6.0;
 ///
 /// Suits every body, smooth or not. At the switches of loads with `if`, `abs` and the like it takes
 /// short steps, if its stages detect them; it ends steps at [conditions on
-/// time](crate::rigid_body#conditions-on-time). A smooth load that acts only briefly
+/// time](crate::reference::time#conditions-on-time). A smooth load that acts only briefly
 /// after a long time of rest may fall between the twelve stages of a step: state its time by
 /// [`breaks`](crate::integrate::Integration::breaks) or limit steps by
 /// [`max_step`](crate::integrate::Integration::max_step). A motion that is driven back and forth

@@ -29,7 +29,7 @@ use crate::state::State;
 ///
 /// ```
 /// use newton_euler::{integrate, prelude::*};
-/// use nalgebra::Vector2;
+/// use newton_euler::nalgebra::Vector2;
 ///
 /// struct Thrown;
 ///
@@ -89,7 +89,7 @@ pub fn cf4_step<B: RigidBody<Scalar: Scalar>>(
 ///
 /// ```
 /// use newton_euler::{gyroscopic, integrate, prelude::*};
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 ///
 /// struct Free(InertiaTensor);
 ///

@@ -14,7 +14,7 @@ pub mod generic;
 ///
 /// ```
 /// use core::f64::consts::PI;
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 /// use newton_euler::attitude;
 ///
 /// let half_turn = attitude::exp(&Vector3::new(0.0, 0.0, PI));
@@ -30,7 +30,7 @@ pub fn exp(rotation: &Vector3<f64>) -> UnitQuaternion<f64> {
 /// The rotation vector of an attitude, with an angle of at most π \[rad\]; q and -q give the same.
 ///
 /// ```
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 /// use newton_euler::attitude::{exp, log};
 ///
 /// let rotation = Vector3::new(0.3e-9, -1.2e-9, 0.4e-9);
@@ -58,7 +58,7 @@ pub fn log(attitude: &UnitQuaternion<f64>) -> Vector3<f64> {
 /// The derivative of the attitude, `q̇ = ½ q ⊗ (0, ω)`, with ω in body axes \[1/s\].
 ///
 /// ```
-/// use nalgebra::{UnitQuaternion, Vector3};
+/// use newton_euler::nalgebra::{UnitQuaternion, Vector3};
 /// use newton_euler::attitude;
 ///
 /// let rate = attitude::kinematics(&UnitQuaternion::identity(), &Vector3::new(0.0, 0.0, 3.0));
@@ -86,7 +86,7 @@ pub(crate) fn to_third_axis(unit: &Vector3<f64>) -> Quaternion<f64> {
 /// below 1e-8 vanish. For quaternions far from unit use nalgebra's `UnitQuaternion::new_normalize`.
 ///
 /// ```
-/// use nalgebra::Quaternion;
+/// use newton_euler::nalgebra::Quaternion;
 /// use newton_euler::attitude;
 ///
 /// let drifted = Quaternion::new(0.6, 0.0, 0.8, 0.0) * (1.0 + 1e-9);
@@ -101,7 +101,7 @@ pub fn normalized(quaternion: &Quaternion<f64>) -> UnitQuaternion<f64> {
 /// An attitude rotated further by a rotation vector in body axes: normalized `q exp(v)`.
 ///
 /// ```
-/// use nalgebra::{UnitQuaternion, Vector3};
+/// use newton_euler::nalgebra::{UnitQuaternion, Vector3};
 /// use newton_euler::attitude;
 ///
 /// let yawed = attitude::turned(&UnitQuaternion::identity(), &Vector3::new(0.0, 0.0, 0.1));

@@ -97,8 +97,9 @@ impl MassProperties {
     /// [`InvalidMesh`], if the surface is open, inside out, empty or not finite.
     ///
     /// ```
-    /// # use newton_euler::inertia::MassProperties;
-    /// # use nalgebra::Vector3;
+    /// use newton_euler::inertia::MassProperties;
+    /// use newton_euler::nalgebra::Vector3;
+    ///
     /// let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     /// let sides = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
     /// let whole = MassProperties::from_triangles(&corners.map(Vector3::from), &sides, 6.0)?;

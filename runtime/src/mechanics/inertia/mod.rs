@@ -59,7 +59,8 @@ impl InertiaTensor {
     /// The violated condition, as for all constructors.
     ///
     /// ```
-    /// # use newton_euler::inertia::InertiaTensor;
+    /// use newton_euler::inertia::InertiaTensor;
+    ///
     /// let quadrotor = InertiaTensor::principal(0.0123, 0.0123, 0.0224)?;
     /// # Ok::<(), newton_euler::inertia::InvalidInertia>(())
     /// ```
@@ -73,7 +74,8 @@ impl InertiaTensor {
     /// The violated condition.
     ///
     /// ```
-    /// # use newton_euler::inertia::InertiaTensor;
+    /// use newton_euler::inertia::InertiaTensor;
+    ///
     /// let inertia = InertiaTensor::tensor(1.3, 1.7, 2.1, -0.12, -0.05, 0.07)?;
     /// assert_eq!(inertia, InertiaTensor::products(1.3, 1.7, 2.1, 0.12, 0.05, -0.07)?);
     /// # Ok::<(), newton_euler::inertia::InvalidInertia>(())
@@ -97,7 +99,8 @@ impl InertiaTensor {
     /// The violated condition.
     ///
     /// ```
-    /// # use newton_euler::inertia::InertiaTensor;
+    /// use newton_euler::inertia::InertiaTensor;
+    ///
     /// let inertia = InertiaTensor::products(1.3, 1.7, 2.1, 0.12, 0.05, -0.07)?;
     /// assert_eq!(inertia.matrix()[(0, 1)], -0.12);
     /// # Ok::<(), newton_euler::inertia::InvalidInertia>(())
@@ -127,8 +130,9 @@ impl InertiaTensor {
     /// The violated condition, symmetry among them.
     ///
     /// ```
-    /// # use newton_euler::inertia::InertiaTensor;
-    /// # use nalgebra::Matrix3;
+    /// use newton_euler::inertia::InertiaTensor;
+    /// use newton_euler::nalgebra::Matrix3;
+    ///
     /// let ball = InertiaTensor::from_matrix(&(Matrix3::identity() * 0.4))?;
     /// assert_eq!(ball, InertiaTensor::principal(0.4, 0.4, 0.4)?);
     /// # Ok::<(), newton_euler::inertia::InvalidInertia>(())
@@ -183,8 +187,9 @@ impl InertiaTensor {
     /// The mass is negative or not finite, or the offset is not finite.
     ///
     /// ```
-    /// # use newton_euler::inertia::InertiaTensor;
-    /// # use nalgebra::Vector3;
+    /// use newton_euler::inertia::InertiaTensor;
+    /// use newton_euler::nalgebra::Vector3;
+    ///
     /// let point = InertiaTensor::principal(0.0, 0.0, 0.0)?;
     /// let bob = point.shifted_from_center(2.0, &Vector3::new(0.0, 0.0, -3.0))?;
     /// assert_eq!(bob.moments(), [18.0, 18.0, 0.0]);
@@ -212,8 +217,9 @@ impl InertiaTensor {
     /// G.
     ///
     /// ```
-    /// # use newton_euler::inertia::InertiaTensor;
-    /// # use nalgebra::Vector3;
+    /// use newton_euler::inertia::InertiaTensor;
+    /// use newton_euler::nalgebra::Vector3;
+    ///
     /// let hinge = InertiaTensor::principal(19.0, 19.0, 1.0)?;
     /// let center = Vector3::new(0.0, 0.0, -3.0);
     /// assert_eq!(
@@ -241,8 +247,9 @@ impl InertiaTensor {
     /// spherical.
     ///
     /// ```
-    /// # use newton_euler::inertia::InertiaTensor;
-    /// # use nalgebra::{UnitQuaternion, Vector3};
+    /// use newton_euler::inertia::InertiaTensor;
+    /// use newton_euler::nalgebra::{UnitQuaternion, Vector3};
+    ///
     /// let plank = InertiaTensor::principal(1.0, 2.0, 3.0)?;
     /// let quarter =
     ///     UnitQuaternion::from_axis_angle(&Vector3::z_axis(), core::f64::consts::FRAC_PI_2);
@@ -262,9 +269,10 @@ impl InertiaTensor {
     /// Principal moments and axes.
     ///
     /// ```
-    /// # use newton_euler::inertia::InertiaTensor;
+    /// use newton_euler::inertia::InertiaTensor;
+    ///
     /// let square = InertiaTensor::tensor(2.0, 2.0, 3.0, -1.0, 0.0, 0.0)?.principal_axes();
-    /// assert!((square.moments - nalgebra::Vector3::new(1.0, 3.0, 3.0)).norm() < 1e-15);
+    /// assert!((square.moments - newton_euler::nalgebra::Vector3::new(1.0, 3.0, 3.0)).norm() < 1e-15);
     /// # Ok::<(), newton_euler::inertia::InvalidInertia>(())
     /// ```
     #[must_use]
@@ -284,7 +292,8 @@ impl InertiaTensor {
     /// [`Self::SLACK`]: a rod or a point.
     ///
     /// ```
-    /// # use newton_euler::inertia::InertiaTensor;
+    /// use newton_euler::inertia::InertiaTensor;
+    ///
     /// assert_eq!(InertiaTensor::principal(2.0, 4.0, 4.0)?.inverse()?[(0, 0)], 0.5);
     /// assert!(InertiaTensor::principal(0.0, 1.0, 1.0)?.inverse().is_err());
     /// # Ok::<(), newton_euler::inertia::InvalidInertia>(())

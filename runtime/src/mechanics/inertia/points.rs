@@ -28,8 +28,9 @@ impl InertiaTensor {
     /// [`InvalidInertia::NotFinite`] if a coordinate is not.
     ///
     /// ```
-    /// # use newton_euler::inertia::InertiaTensor;
-    /// # use nalgebra::Vector3;
+    /// use newton_euler::inertia::InertiaTensor;
+    /// use newton_euler::nalgebra::Vector3;
+    ///
     /// let dumbbell = InertiaTensor::from_points([
     ///     (1.0, Vector3::new(7.0, 0.0, 0.0)),
     ///     (3.0, Vector3::new(9.0, 0.0, 0.0)),

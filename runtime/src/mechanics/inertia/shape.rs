@@ -51,8 +51,9 @@ impl InertiaTensor {
     /// methods.
     ///
     /// ```
-    /// # use newton_euler::inertia::{InertiaTensor, Symmetry};
-    /// # use nalgebra::Vector3;
+    /// use newton_euler::inertia::{InertiaTensor, Symmetry};
+    /// use newton_euler::nalgebra::Vector3;
+    ///
     /// let rotor = InertiaTensor::principal(0.1, 0.3, 0.3)?;
     /// assert_eq!(rotor.symmetry(), Symmetry::Symmetric { axis: Vector3::x_axis() });
     /// assert_eq!(InertiaTensor::principal(0.1 + 0.2, 0.3, 0.3)?.symmetry(), Symmetry::Spherical);
@@ -66,7 +67,8 @@ impl InertiaTensor {
     /// How many principal moments are equal, to this fraction of the largest.
     ///
     /// ```
-    /// # use newton_euler::inertia::{InertiaTensor, Symmetry};
+    /// use newton_euler::inertia::{InertiaTensor, Symmetry};
+    ///
     /// let nearly = InertiaTensor::principal(1.0, 1.001, 0.999)?;
     /// assert_eq!(nearly.symmetry_within(0.01), Symmetry::Spherical);
     /// assert_eq!(nearly.symmetry(), Symmetry::General);
@@ -96,8 +98,9 @@ impl InertiaTensor {
     /// (four times that if there are products) of the largest.
     ///
     /// ```
-    /// # use newton_euler::inertia::{Extent, InertiaTensor};
-    /// # use nalgebra::Vector3;
+    /// use newton_euler::inertia::{Extent, InertiaTensor};
+    /// use newton_euler::nalgebra::Vector3;
+    ///
     /// assert_eq!(
     ///     InertiaTensor::principal(0.1, 0.2, 0.3)?.extent(),
     ///     Extent::Planar { normal: Vector3::z_axis() }
@@ -117,7 +120,8 @@ impl InertiaTensor {
     /// the largest.
     ///
     /// ```
-    /// # use newton_euler::inertia::{Extent, InertiaTensor};
+    /// use newton_euler::inertia::{Extent, InertiaTensor};
+    ///
     /// let needle = InertiaTensor::principal(1e-7, 1.0, 1.0)?;
     /// assert_eq!(needle.extent(), Extent::Solid);
     /// assert!(matches!(needle.extent_within(1e-6), Extent::Rod { .. }));

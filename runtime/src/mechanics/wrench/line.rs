@@ -7,7 +7,7 @@ use serde::Serialize;
 /// A straight line, by its point nearest to the pole and its direction.
 ///
 /// ```
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 /// use newton_euler::wrench::Line;
 ///
 /// let line = Line { point: Vector3::new(2.0, 0.0, 0.0), direction: Vector3::z_axis() };

@@ -20,7 +20,7 @@ pub use reduction::{PlanarReduction, Reduction, Tolerance};
 /// Force and moment about a pole, in one set of axes.
 ///
 /// ```
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 /// use newton_euler::wrench::Wrench;
 ///
 /// let [x, z] = [Vector3::x(), Vector3::z()];
@@ -37,7 +37,7 @@ impl Wrench {
     /// A force \[N\] acting at `arm` \[m\] from the pole: its moment is arm × force.
     ///
     /// ```
-    /// use nalgebra::Vector3;
+    /// use newton_euler::nalgebra::Vector3;
     /// use newton_euler::wrench::Wrench;
     ///
     /// let push = Wrench::from_force_at(Vector3::new(0.0, 10.0, 0.0), Vector3::new(0.5, 0.0, 0.0));
@@ -55,7 +55,7 @@ impl Wrench {
     /// A couple \[N m\].
     ///
     /// ```
-    /// use nalgebra::Vector3;
+    /// use newton_euler::nalgebra::Vector3;
     /// use newton_euler::wrench::Wrench;
     ///
     /// assert_eq!(Wrench::from_moment(Vector3::x()).force, Vector3::zeros());
@@ -72,7 +72,7 @@ impl Wrench {
     /// The same system of loads about another pole (34.5): `K_to = K_from + (from - to) × F`.
     ///
     /// ```
-    /// use nalgebra::Vector3;
+    /// use newton_euler::nalgebra::Vector3;
     /// use newton_euler::wrench::Wrench;
     ///
     /// let weight = Wrench::from_force_at(Vector3::new(0.0, 0.0, -9.0), Vector3::zeros());
@@ -101,7 +101,7 @@ impl Wrench {
 /// Force and moment in the plane, the moment positive anticlockwise.
 ///
 /// ```
-/// use nalgebra::Vector2;
+/// use newton_euler::nalgebra::Vector2;
 /// use newton_euler::wrench::PlanarWrench;
 ///
 /// let push = PlanarWrench::from_force_at(Vector2::new(0.0, 10.0), Vector2::new(0.5, 0.0));
@@ -113,7 +113,7 @@ impl PlanarWrench {
     /// A force \[N\] acting at `arm` \[m\] from the pole: its moment is arm × force.
     ///
     /// ```
-    /// use nalgebra::Vector2;
+    /// use newton_euler::nalgebra::Vector2;
     /// use newton_euler::wrench::PlanarWrench;
     ///
     /// assert_eq!(PlanarWrench::from_force_at(Vector2::y(), Vector2::x()).moment, 1.0);
@@ -146,7 +146,7 @@ impl PlanarWrench {
     /// The same system of loads about another pole (34.5): `K_to = K_from + (from - to) × F`.
     ///
     /// ```
-    /// use nalgebra::Vector2;
+    /// use newton_euler::nalgebra::Vector2;
     /// use newton_euler::wrench::PlanarWrench;
     ///
     /// let weight = PlanarWrench::from_force_at(Vector2::new(0.0, -9.0), Vector2::zeros());

@@ -20,7 +20,7 @@ use crate::numbers::scale;
 /// The simplest system of loads with a given resultant and moment: one of four.
 ///
 /// ```
-/// use nalgebra::Vector3;
+/// use newton_euler::nalgebra::Vector3;
 /// use newton_euler::wrench::{Reduction, Wrench};
 ///
 /// let push = Wrench::from_force_at(Vector3::new(0.0, 0.0, 2.0), Vector3::new(3.0, 0.0, 7.0));
@@ -93,7 +93,7 @@ impl Tolerance {
     /// for about eight loads.
     ///
     /// ```
-    /// use nalgebra::Vector3;
+    /// use newton_euler::nalgebra::Vector3;
     /// use newton_euler::wrench::{Reduction, Tolerance, Wrench};
     ///
     /// // 0.1 + 0.2 - 0.3 is not 0 in binary.
@@ -131,7 +131,7 @@ impl Wrench {
     /// of tiny pitch. Then use [`Wrench::reduce_within`].
     ///
     /// ```
-    /// use nalgebra::Vector3;
+    /// use newton_euler::nalgebra::Vector3;
     /// use newton_euler::wrench::{Reduction, Wrench};
     ///
     /// let [f, r] = [Vector3::new(0.0, 5.0, 0.0), Vector3::new(2.0, 0.0, 0.0)];
@@ -196,7 +196,7 @@ impl Reduction {
     /// dropped by a tolerance.
     ///
     /// ```
-    /// use nalgebra::Vector3;
+    /// use newton_euler::nalgebra::Vector3;
     /// use newton_euler::wrench::Wrench;
     ///
     /// let wrench =
@@ -243,7 +243,7 @@ impl PlanarWrench {
     /// [`Wrench::reduce`].
     ///
     /// ```
-    /// use nalgebra::Vector2;
+    /// use newton_euler::nalgebra::Vector2;
     /// use newton_euler::wrench::{PlanarReduction, PlanarWrench};
     ///
     /// let push = PlanarWrench::from_force_at(Vector2::new(0.0, 2.0), Vector2::new(3.0, 5.0));

@@ -138,7 +138,7 @@ impl SymmetricTop {
     /// of mass, world axes \[kg m²/s\].
     ///
     /// ```
-    /// use nalgebra::{UnitQuaternion, Vector3};
+    /// use newton_euler::nalgebra::{UnitQuaternion, Vector3};
     /// use newton_euler::top::SymmetricTop;
     ///
     /// let tilted = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.5);

@@ -61,7 +61,8 @@ pub fn groups(graph: &Graph, kept: &[(Keeper, Row)], independent: &[bool]) -> Ve
     groups.into_iter().map(|(_, group)| group).collect()
 }
 
-/// What each row of `groups` does beside those that are always independent, and what these leave.
+/// The effect of each row of `groups` once the masses and the always independent rows are
+/// eliminated.
 struct Left {
     groups: Vec<Group>,
     /// The rows of all groups, in order.

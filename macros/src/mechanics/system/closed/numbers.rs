@@ -3,7 +3,7 @@
 /// A row depends on others if at most this fraction of it remains.
 const DEPENDENT: f64 = 1e-6;
 
-/// Random-looking numbers.
+/// Pseudorandom numbers.
 pub struct Random(u64);
 
 impl Random {
@@ -37,7 +37,7 @@ impl Span {
         is_new
     }
 
-    /// The direction of what is left of a row at right angles to all.
+    /// The direction of the part of a row that is perpendicular to all.
     pub fn left(&self, row: Vec<f64>) -> Option<Vec<f64>> {
         let before = dot(&row, &row).sqrt();
         let mut left = row;

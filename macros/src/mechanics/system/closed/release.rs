@@ -74,7 +74,7 @@ fn fewest(ways: &[Way<Residue>], wanted: usize) -> Option<Vec<String>> {
     is_found.then(|| chosen.iter().map(|way| ways[*way].said.clone()).collect())
 }
 
-/// Each way that lets go of something more, and then single components of other joints.
+/// Each way that releases something more, and then single components of other joints.
 fn one_by_one(ways: &[Way<Residue>], single: &[Way<Residue>]) -> Vec<String> {
     let (mut span, mut holders, mut said) = (Span::default(), Vec::new(), Vec::new());
     let whole = ways.iter().map(|way| (way, true));
@@ -160,7 +160,7 @@ fn holders(system: &System) -> impl Iterator<Item = Holder> {
     tree.chain(closings)
 }
 
-/// The parts of all spare loads that a joint lets go.
+/// The parts of all spare loads that a joint releases.
 fn rows(
     graph: &mut Graph,
     spare: &[Spare],
@@ -249,7 +249,7 @@ fn sampled(
     ways.collect()
 }
 
-/// Finds as many ways, of different joints, that leave nothing of so many spare loads.
+/// Finds this many ways, of different joints, that remove all of the spare loads.
 fn search(
     ways: &[Way<Residue>],
     (from, most): (usize, usize),
@@ -284,7 +284,7 @@ fn search(
 struct Span(Vec<(usize, Vec<Residue>)>);
 
 impl Span {
-    /// With what a way lets go; nothing if that is not all independent.
+    /// With what a way releases; none if that is not all independent.
     fn with(&self, way: &Way<Residue>) -> Option<Self> {
         let mut larger = self.clone();
         let count = way.rows.iter().filter(|row| larger.take(row)).count();

@@ -12,9 +12,9 @@ pub struct Step {
     pub own: std::ops::Range<usize>,
     /// `N_k / e_k` of these rows, once those before are eliminated.
     inverse: Vec<Vec<Id>>,
-    /// Of the rows behind: what they take of these, and what these take of them.
+    /// The coefficients of later rows by these loads, and of these rows by later loads.
     later: Vec<Vec<Id>>,
-    /// Is positive.
+    /// A positive value.
     pub size: Id,
 }
 

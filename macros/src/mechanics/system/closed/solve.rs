@@ -1,5 +1,4 @@
-//! The accelerations of a system that is held by more than the joints of its tree, and its
-//! constraint loads.
+//! The accelerations and the constraint loads of a system with constraints outside its tree.
 
 use std::collections::BTreeSet;
 
@@ -22,10 +21,10 @@ pub struct Closed {
     pub kept: Vec<(Keeper, Row)>,
     /// Which of them others keep in closed states.
     pub follows: Vec<bool>,
-    /// Of the mass matrix of the tree: what each freedom has alone.
+    /// The diagonal of the mass matrix of the tree.
     pub inertias: Vec<Id>,
-    /// Force and moment of each joint that closes a loop on what it carries, at its point there,
-    /// world axes.
+    /// Force and moment of each loop-closing joint on the carried body, at its point there, world
+    /// axes.
     pub wrenches: Vec<[Components; 2]>,
     /// The load of each written constraint, for one unit of its gradient.
     pub loads: Vec<Id>,
@@ -150,8 +149,8 @@ fn found(
     }
 }
 
-/// With rows that depend on each other in closed states alone; none if there are no such rows, or
-/// if loads depend on those of constraints.
+/// The solution with rows that depend on each other only in closed states; none if there are no
+/// such rows, or if loads depend on those of constraints.
 fn where_closed(
     system: &System,
     work: &mut Workspace,

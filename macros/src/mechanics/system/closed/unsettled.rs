@@ -13,7 +13,7 @@ use super::known::{Keeper, Known};
 /// The owners of loads that the equations do not determine, by index.
 #[derive(Default)]
 pub struct Unsettled {
-    /// Loads that balance each other, and may be added to those that are found.
+    /// Loads that balance each other, and may be added to any solution.
     pub spare: Vec<Spare>,
     /// Written constraints that are trivial, or redundant, each with the names of those it follows
     /// from.
@@ -25,7 +25,7 @@ pub struct Unsettled {
     pub axes: Vec<Option<Components>>,
 }
 
-/// Loads that balance each other in all bodies: force and moment of each joint on what it carries,
+/// Loads that balance each other in all bodies: force and moment of each joint on the carried body,
 /// at its point there, world axes.
 pub struct Spare {
     /// Of the joints that close loops.
@@ -37,8 +37,8 @@ pub struct Spare {
 }
 
 impl Spare {
-    /// From those of the joints that close loops, and what written constraints do to the links of a
-    /// `tree` without loads.
+    /// From the loads of the joints that close loops, and the effect of written constraints on the
+    /// links of a `tree` without loads.
     pub fn new(
         graph: &mut Graph,
         known: &Known<'_>,
@@ -84,14 +84,14 @@ impl Spare {
         }
     }
 
-    /// That of a joint by number: those that close loops are behind those of the tree.
+    /// The load of a joint by number: those that close loops come after those of the tree.
     pub fn wrench(&self, joint: usize) -> [Components; 2] {
         let behind = joint.checked_sub(self.joints.len());
         behind.map_or_else(|| self.joints[joint], |closing| self.closings[closing])
     }
 }
 
-/// Takes a force and a moment at a place from their sums about another one.
+/// Subtracts a force and a moment at a place from the sums about another one.
 fn subtract_at(
     graph: &mut Graph,
     sums: &mut [Components; 2],
@@ -107,7 +107,7 @@ fn subtract_at(
 }
 
 impl Unsettled {
-    /// A constraint whose load is not determined, with the names of what can do all that it does.
+    /// A constraint whose load is not determined, with the names of those that can replace it.
     pub fn add(&mut self, keeper: &Keeper, others: BTreeSet<String>) {
         if let Keeper::Written(number) = keeper {
             self.written.push((*number, others));
@@ -115,7 +115,8 @@ impl Unsettled {
     }
 }
 
-/// The equations of what one unit of the load of a column does together with the others: nothing.
+/// The equations that say that one unit of the load of a column, together with the others, has no
+/// effect.
 pub fn without_column(graph: &mut Graph, equations: &[Equation], column: usize) -> Vec<Equation> {
     let equations = equations.iter().map(|equation| {
         let mut equation = equation.clone();
@@ -128,7 +129,7 @@ pub fn without_column(graph: &mut Graph, equations: &[Equation], column: usize) 
     equations.collect()
 }
 
-/// The tree, of bodies that have no mass and on which nothing acts.
+/// The tree, with massless bodies and without loads.
 pub fn bare(graph: &Graph, built: &Built) -> Tree {
     let mut tree = built.tree.clone();
     tree.gravity = graph.zeros();
@@ -142,7 +143,7 @@ pub fn bare(graph: &Graph, built: &Built) -> Tree {
     tree
 }
 
-/// The rows whose loads are not determined, each with those that can do all that it does.
+/// The rows whose loads are not determined, each with those that can replace it.
 pub fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
     let row = |column: &usize| column.checked_sub(count);
     let undetermined = solved.undetermined.iter();
@@ -153,8 +154,8 @@ pub fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
     open.collect()
 }
 
-/// Reports written constraints that say nothing, or nothing new; `followed` are the symbols of
-/// loads that others follow. A link may be one more than is needed, unless its tension matters.
+/// Reports written constraints that are trivial or redundant; `followed` are the symbols of loads
+/// on which others depend. A link may be redundant, unless its tension matters.
 pub fn check_kept(
     system: &System,
     work: &Workspace,

@@ -12,8 +12,8 @@ use super::world::{Placed, Spot};
 /// One constraint of a joint.
 pub struct JointRow {
     pub row: Row,
-    /// What a unit of its load is on the carried body, at its point of the joint, world axes; on
-    /// the carrier the opposite, at the same place.
+    /// A unit of its load: force and moment on the carried body, at its point of the joint, world
+    /// axes; on the carrier the opposite, at the same place.
     pub force: Components,
     pub moment: Components,
 }
@@ -21,7 +21,7 @@ pub struct JointRow {
 /// Both sides of a joint that closes a loop.
 pub struct Ends<'a> {
     pub closing: &'a Closing,
-    /// The links, the ground without; offsets of the joint from their origins.
+    /// The links, none for the ground; offsets of the joint from their origins.
     pub links: [Option<usize>; 2],
     pub offsets: [Components; 2],
     pub is_planar: bool,
@@ -234,8 +234,8 @@ impl Joined<'_> {
     }
 }
 
-/// The power of a force and a moment by the rate of each open freedom: on the carried body, and
-/// with the opposite sign on the carrier, each force at its place.
+/// The power of a force and a moment per rate of each open freedom: on the carried body, and with
+/// the opposite sign on the carrier, each force at its place.
 fn slopes(
     graph: &mut Graph,
     tree: &Tree,
@@ -257,7 +257,7 @@ fn slopes(
     for (index, link) in tree.links.iter().enumerate() {
         let (on, off) = (carried.contains(&index), carrier.contains(&index));
         for freedom in link.open() {
-            // what carries both moves them alike
+            // a freedom that carries both moves them alike
             if on == off {
                 all.push(graph.zero());
                 continue;

@@ -1,16 +1,16 @@
-//! The motion of links, in world axes, with zero joint accelerations, for the constraints between
-//! them.
+//! The motion of links in world axes, with zero joint accelerations. Constraints between links need
+//! it.
 
 use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree::turning::Turning;
 use crate::symbolic::{Components, Graph, Id};
 
-/// The place and the motion of a link, world axes; the accelerations are those that there are if no
-/// joint accelerates.
+/// The place and the motion of a link, world axes. The accelerations are those with zero joint
+/// accelerations.
 #[derive(Clone)]
 pub struct Placed {
     pub turning: Turning,
-    /// In the plane, the angle that it is turned by, and of links that turn about one axis.
+    /// In the plane, its angle; the same for links that turn about one axis.
     angle: Option<(usize, Id)>,
     pub origin: Components,
     pub velocity: Components,
@@ -69,7 +69,7 @@ impl Placed {
         graph.quantities(turned)
     }
 
-    /// A link that this one carries; of one that is free, where it is.
+    /// A link that this one carries; for a free link, with its place.
     fn carried(&self, graph: &mut Graph, link: &Link, free: Option<[Components; 2]>) -> Self {
         let spot = self.spot(graph, link.place);
         let (turning, angle) = self.turned(graph, link);
@@ -120,7 +120,7 @@ impl Placed {
         next
     }
 
-    /// How a link that this one carries is turned: about one axis by the sum of the angles.
+    /// The rotation of a link that this one carries: about one axis, by the sum of the angles.
     fn turned(&self, graph: &mut Graph, link: &Link) -> (Turning, Option<(usize, Id)>) {
         let own = match (link.turning, link.angle) {
             (Turning::About { axis, .. }, Some(angle)) => Some((axis, angle)),
@@ -147,7 +147,7 @@ impl Placed {
     }
 }
 
-/// All links; `free` is where those are that are free, by link.
+/// All links; `free` has the places of free links, by link.
 pub fn place_links(
     graph: &mut Graph,
     tree: &Tree,

@@ -1,5 +1,5 @@
-//! Written constraints, of positions and of velocities, with their loads: of all loads that do no
-//! work in a motion that the constraint allows, those along its gradient.
+//! Written constraints, of positions and of velocities, with their loads. A load acts along the
+//! gradient of its constraint, so it does no work in a motion that the constraint allows.
 
 use crate::mechanics::tree::Built;
 use crate::mechanics::tree::link::{Link, Tree};
@@ -10,7 +10,7 @@ use crate::symbolic::{Graph, Id};
 
 use super::row::Row;
 
-/// All that is written.
+/// All written constraints.
 pub fn rows(system: &System, work: &mut Workspace, built: &Built, motion: &Direction) -> Vec<Row> {
     let freedoms = built.tree.links.iter().flat_map(Link::open);
     let rates: Vec<Id> = freedoms.map(|freedom| freedom.rate).collect();

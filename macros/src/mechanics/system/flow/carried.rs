@@ -1,13 +1,13 @@
-//! All that a joint carries, as one body.
+//! Everything that a joint carries, as one body.
 
 use crate::mechanics::closed_forms::at_rest;
 use crate::mechanics::tree::{Built, Properties};
 use crate::model::{Workspace, displaced};
 use crate::symbolic::Components;
 
-/// All that a joint carries where the coordinates behind it are zero, in the axes of its body.
+/// Everything that a joint carries if the coordinates beyond it are zero, in the axes of its body.
 pub struct Carried {
-    /// From the origin of the body, or the point that is held, to the center of mass.
+    /// From the origin of the body, or the held point, to the center of mass.
     pub center: Components,
     /// Inertia about the origin.
     pub about_origin: [Components; 3],
@@ -33,7 +33,7 @@ impl Carried {
     }
 }
 
-/// Mass, first moment and inertia of a link and all that it carries.
+/// Mass, first moment and inertia of a link with everything that it carries.
 fn together(work: &mut Workspace, built: &Built, root: usize) -> Properties {
     let (links, graph) = (&built.tree.links, &mut work.graph);
     let mut sums: Vec<Properties> = links.iter().map(|link| link.properties).collect();

@@ -15,11 +15,11 @@ use crate::mechanics::system::rates::velocities;
 pub enum Course {
     /// Every coordinate has a constant acceleration.
     Uniform(Vec<Id>),
-    /// It turns, and carries its origin along.
+    /// It rotates; the center of mass of a free joint moves on a parabola.
     Turning(Rotation, Option<Center>),
 }
 
-/// How the center of mass of all that a free joint carries moves.
+/// The motion of the center of mass of everything that a free joint carries.
 pub struct Center {
     /// Constant, world axes.
     pub acceleration: Components,
@@ -27,7 +27,7 @@ pub struct Center {
     pub offset: Option<Components>,
 }
 
-/// A joint, and what its accelerations may be.
+/// A joint of a system, whose accelerations are known.
 pub struct Moving<'a> {
     pub system: &'a System,
     pub equations: &'a SystemEquations,
@@ -35,7 +35,7 @@ pub struct Moving<'a> {
 }
 
 impl Moving<'_> {
-    /// Its motion, if it is one of those that have a closed form.
+    /// Its motion, if that has a closed form.
     pub fn course(&self, work: &mut Workspace) -> Option<Course> {
         let (joint, found) = (self.joint(), self.accelerations());
         if let Some(values) = self
@@ -89,7 +89,7 @@ impl Moving<'_> {
         Carried::by(self.number, &self.equations.built, work)
     }
 
-    /// What floats in the plane.
+    /// The motion of a free body in the plane.
     fn flat(&self, work: &mut Workspace, [x, y]: [Id; 2], angular: Id) -> Option<Course> {
         let zero = work.graph.zero();
         let rotation = match constants(work, &[angular]) {
@@ -139,8 +139,8 @@ impl Moving<'_> {
         }
     }
 
-    /// How it turns in space: as one body under what its acceleration leaves of Euler's equations,
-    /// or as a gyrostat.
+    /// Its rotation in space: as one body under the moment that its acceleration leaves in Euler's
+    /// equations, or as a gyrostat.
     fn rotation(&self, work: &mut Workspace, angular: Components) -> Option<Rotation> {
         let (whole, w) = (self.carried(work), self.angular_velocity(work));
         let rows = if self.joint().kind.is_free() {
@@ -188,7 +188,7 @@ impl Moving<'_> {
             .flatten()
     }
 
-    /// The axes about which it may be symmetric: those of rotors on it, and its own.
+    /// The axes about which it may be symmetric: those of its rotors, and its own.
     fn axes(&self, work: &mut Workspace) -> Vec<Components> {
         let joints = self.system.joints.iter();
         let on_it = joints.filter(|joint| joint.carrier == Some(self.joint().carried));

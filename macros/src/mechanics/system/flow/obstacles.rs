@@ -1,4 +1,4 @@
-//! What is in the way of a closed form.
+//! Obstacles to a closed form.
 
 use crate::mechanics::closed_forms::dependence;
 use crate::model::{System, TreeJoint, Variable, Workspace};
@@ -6,7 +6,7 @@ use crate::symbolic::Id;
 
 use crate::mechanics::system::equations::{SystemEquations, loads};
 
-/// Joints that move in no closed form, and why.
+/// Joints without a closed form, and the reasons.
 pub struct Obstacles<'a> {
     pub system: &'a System,
     pub equations: &'a SystemEquations,
@@ -18,12 +18,12 @@ pub struct Obstacles<'a> {
 /// Under constraints.
 pub const CLOSED: &str = "where loops are closed or constraints are written there is no closed form in this version: leave \
                           out `flow`, and the motion is integrated";
-/// What paths do not look at.
+/// What paths do not support.
 pub const CHANGING: &str =
     "no closed form: mass and inertia change; leave out `flow`, and the motion is integrated";
 
 impl Obstacles<'_> {
-    /// One for all that one joint to the ground carries.
+    /// One for everything that a joint to the ground carries.
     pub fn all(&self) -> Vec<String> {
         let mut roots: Vec<usize> = self.failing.iter().map(|joint| self.root(*joint)).collect();
         roots.sort_unstable();
@@ -65,7 +65,7 @@ impl Obstacles<'_> {
         }
     }
 
-    /// What is in the way of a body in space that carries rotors.
+    /// The obstacle for a body in space that carries rotors.
     fn gyrostat(&self, root: usize) -> Option<String> {
         let joints = &self.system.joints;
         let carried = self.system.written.iter().filter(|joint| **joint != root);
@@ -92,7 +92,7 @@ impl Obstacles<'_> {
         })
     }
 
-    /// The first load that is not constant, of those that have a part in these accelerations.
+    /// The first load that is not constant, of those that affect these accelerations.
     fn changing(&self, accelerations: &[Id]) -> Option<String> {
         let known = self.work.graph.reachable(accelerations, |_| true);
         let loads = loads(self.system, self.work).into_iter();

@@ -1,4 +1,4 @@
-//! The motion of a system in closed form, or what is in the way of it.
+//! The motion of a system in closed form, or the obstacles to it.
 
 use proc_macro2::Ident;
 
@@ -9,14 +9,13 @@ use super::course::{Course, Moving};
 use super::obstacles::{CHANGING, CLOSED, Obstacles};
 use crate::mechanics::system::equations::SystemEquations;
 
-/// The motion of a system in closed form: that of each joint, in the order in which the state has
-/// them.
+/// The motion of a system in closed form: the motion of each joint, in the order of the state.
 pub struct SystemFlow {
     pub joints: Vec<(Ident, &'static Shape, Course)>,
 }
 
-/// The closed form. What is in its way is reported where it is asked for: once for all that one
-/// joint to the ground carries.
+/// The closed form. Obstacles are reported at the request for it: one for everything that a joint
+/// to the ground carries.
 pub fn derive_system_flow(
     system: &System,
     work: &mut Workspace,
@@ -77,7 +76,7 @@ pub fn derive_system_flow(
 }
 
 impl SystemFlow {
-    /// Which motions they are, line by line.
+    /// The kinds of motions, line by line.
     pub fn describe(&self) -> Vec<String> {
         let lines = self.joints.iter().map(|(name, _, course)| {
             let motion = match course {

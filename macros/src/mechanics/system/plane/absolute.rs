@@ -6,11 +6,12 @@ use crate::symbolic::{Graph, Id};
 
 use super::super::constraints::Placed;
 
-/// What the links of a tree turn by. Links that are held to their carriers turn with them.
+/// The coordinates that turn the links of a tree. Links that are welded to their carriers turn with
+/// them.
 pub struct Absolute {
-    /// The coordinate of the angle of each link; none: what turns it is known.
+    /// The coordinate of the angle of each link; none if its rotation is known.
     pub turns: Vec<Option<usize>>,
-    /// Its angular acceleration without that of the coordinate.
+    /// Its angular acceleration without the part of the coordinate.
     pub given: Vec<Id>,
     /// The square of its angular velocity.
     pub squares: Vec<Id>,
@@ -65,7 +66,7 @@ impl Absolute {
         found
     }
 
-    /// What belongs to the coordinates of joints, for absolute ones: `T^T u`.
+    /// A covector of joint coordinates, for absolute ones: `T^T u`.
     pub fn gathered(&self, graph: &mut Graph, of_joints: &[Id]) -> Vec<Id> {
         let mut all = of_joints.to_vec();
         for (own, carrier) in &self.hinges {
@@ -88,7 +89,7 @@ impl Absolute {
         all
     }
 
-    /// Adds what armatures J take of the coordinates of joints: `T^T J (T x - d)`.
+    /// Adds the loads of armatures J along the coordinates of joints: `T^T J (T x - d)`.
     pub fn add_armatures(
         &self,
         graph: &mut Graph,

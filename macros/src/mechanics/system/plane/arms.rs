@@ -6,7 +6,8 @@ use crate::symbolic::{Components, Graph, Id};
 
 use super::super::constraints::Placed;
 
-/// The vectors that are formed for each link: what is parallel to one of them is a multiple of it.
+/// The vectors that are formed for each link. A vector parallel to one of them becomes a multiple
+/// of it.
 pub struct Arms<'a> {
     placed: &'a [Placed],
     /// In the axes of the link, and in those of the world.
@@ -61,7 +62,7 @@ impl<'a> Arms<'a> {
         signed(graph, found)
     }
 
-    /// Names of all that are known.
+    /// Names of all known vectors.
     pub fn name(&self, labels: &mut Labels, tree: &Tree) {
         for (link, known) in tree.links.iter().zip(&self.known) {
             for [_, arm] in known {

@@ -1,4 +1,4 @@
-//! The balances of absolute coordinates, `M x'' = f`: for each link separately, whose origin has a
+//! The balances of absolute coordinates, `M x'' = f`, link by link: the origin of a link has a
 //! column for each coordinate that moves it.
 
 use crate::mechanics::tree::link::Tree;
@@ -10,18 +10,18 @@ use super::arms::{Arms, ByArm, quarter_turn};
 use super::shortest::Shortest;
 use super::slopes::coriolis;
 
-/// How the origin of a link moves, world axes.
+/// The motion of the origin of a link, world axes.
 #[derive(Clone, Default)]
 struct Moving {
-    /// What coordinates make of its acceleration.
+    /// Its acceleration per unit of each coordinate's acceleration.
     columns: Vec<(usize, Components)>,
-    /// Its acceleration without them, less that of free fall: factors of vectors.
+    /// The rest of its acceleration, minus that of free fall: vectors with factors.
     rest: Vec<(Id, Components)>,
-    /// What it adds to the columns of its carrier.
+    /// Its additions to the columns of its carrier.
     steps: Vec<(usize, Components)>,
 }
 
-/// The inertia of absolute coordinates, and what drives them. Drives of joints are left out.
+/// The inertia of absolute coordinates, and their loads, without the drives of joints.
 pub fn derive_masses(
     graph: &mut Graph,
     absolute: &Absolute,
@@ -133,7 +133,7 @@ fn motions(
     all
 }
 
-/// What a link has of inertia, about its origin, and how it turns.
+/// The inertia of a link about its origin, and its rotation.
 struct Inert {
     mass: Id,
     first: ByArm,
@@ -173,7 +173,7 @@ impl Balances {
                     self.couple(graph, (turns, turns), part);
                 }
             }
-            // w^2 s is what its turning takes less of the force
+            // the centripetal part w^2 s is subtracted from the force
             let swung = link.first.dot(graph, *column);
             let part = graph.multiply(link.square, swung);
             self.drive(graph, *i, part);

@@ -11,14 +11,14 @@ use super::absolute::is_turn;
 /// A tree in which hinges that close loops may carry, and others are left out.
 pub struct Shortest {
     pub tree: Tree,
-    /// Which link of the tree that was given each one is.
+    /// The link of the given tree that each one is.
     pub numbers: Vec<usize>,
 }
 
-/// A hinge that closes a loop: its links, and where it is from their origins.
+/// A hinge that closes a loop: its links, and its offsets from their origins.
 type Pin = [(Option<usize>, Components); 2];
 
-/// The tree with links at the hinges at which they are nearest to the ground.
+/// The tree in which each link is carried by the hinge that brings it nearest to the ground.
 pub fn shortest(graph: &mut Graph, tree: &Tree, ends: &[&Ends<'_>]) -> Shortest {
     let mut tree = tree.clone();
     let hinges = ends
@@ -33,7 +33,7 @@ pub fn shortest(graph: &mut Graph, tree: &Tree, ends: &[&Ends<'_>]) -> Shortest 
     sorted(&tree)
 }
 
-/// A hinge that would carry one of its links nearer to the ground.
+/// A hinge that brings one of its links nearer to the ground if it carries it.
 fn nearer(graph: &Graph, tree: &Tree, pins: &[Pin]) -> Option<(usize, usize)> {
     let depth = |link: Option<usize>| {
         let mut depth = 0;

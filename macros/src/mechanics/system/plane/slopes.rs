@@ -8,11 +8,11 @@ use super::super::reduced::Held;
 use super::absolute::{Absolute, is_turn};
 use super::arms::{Arms, quarter_turn};
 
-/// What a link has to do with a loop: a vector in its axes, from where the loop enters it to where
-/// it leaves it.
+/// The part of a link in a loop: a vector in its axes, from where the loop enters to where it
+/// leaves.
 struct Part {
     vector: Components,
-    /// How often the loop passes through its joint, less how often it does so backwards.
+    /// How often the loop passes through its joint forwards, minus backwards.
     passes: i32,
 }
 
@@ -120,7 +120,7 @@ pub fn coriolis(graph: &mut Graph, w: Id, rate: Id, along: Components) -> Compon
     graph.scale_vector(twice, across)
 }
 
-/// What each link has to do with the loop of a joint.
+/// The part of each link in the loop of a joint.
 fn parts(graph: &mut Graph, tree: &Tree, ends: &Ends<'_>) -> Vec<Option<Part>> {
     let zeros = graph.zeros();
     let mut sums: Vec<Part> = tree
@@ -152,7 +152,7 @@ fn parts(graph: &mut Graph, tree: &Tree, ends: &Ends<'_>) -> Vec<Option<Part>> {
     .collect()
 }
 
-/// A row that is known by the coordinates of joints.
+/// A row that is given in the coordinates of joints.
 pub fn of_row(graph: &mut Graph, absolute: &Absolute, row: &Row) -> Held {
     let slopes = absolute.gathered(graph, &row.slopes);
     let slopes: Vec<Id> = slopes.into_iter().map(|one| graph.quantity(one)).collect();

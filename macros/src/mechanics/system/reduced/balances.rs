@@ -1,4 +1,4 @@
-//! Balances and rows, of which one block after another is resolved.
+//! Balances and rows, solved block after block.
 
 use crate::mechanics::proofs::samples;
 use crate::model::Workspace;
@@ -6,7 +6,7 @@ use crate::symbolic::{Graph, Id};
 
 use super::block::{Block, Way, next_rows, numerators, solved, way};
 
-/// A row of what is kept: `sum of slopes * x = right`.
+/// A constraint row: `sum of slopes * x = right`.
 #[derive(Clone)]
 pub struct Held {
     pub slopes: Vec<Id>,
@@ -19,21 +19,21 @@ pub struct Held {
 #[derive(Clone)]
 pub struct Balance {
     pub name: String,
-    /// What the accelerations of all coordinates take.
+    /// The inertia by the accelerations of all coordinates.
     pub masses: Vec<Id>,
     pub driving: Id,
 }
 
-/// Balances and rows that are being resolved.
+/// Balances and rows in the course of solution.
 pub struct Balances<'w> {
     pub work: &'w mut Workspace,
     pub all: Vec<Balance>,
     pub rows: Vec<Held>,
     /// Bounds of the inertia of each coordinate.
     sizes: Vec<Id>,
-    /// So many coordinates stand for themselves.
+    /// The number of original coordinates: the others stand for several.
     given: usize,
-    /// The coordinates that nothing gives yet, and the rows that give none.
+    /// The coordinates that are not solved for yet, and the rows that are not solved.
     pub open: Vec<bool>,
     is_left: Vec<bool>,
     pub blocks: Vec<Block>,
@@ -64,7 +64,7 @@ impl<'w> Balances<'w> {
         balances
     }
 
-    /// The rows that are not resolved.
+    /// The unsolved rows.
     pub fn left(&self) -> Vec<usize> {
         (0..self.rows.len())
             .filter(|row| self.is_left[*row])
@@ -87,7 +87,7 @@ impl<'w> Balances<'w> {
         }
     }
 
-    /// Resolves the smallest block; whether there was one.
+    /// Solves the smallest block. Returns whether there was one.
     pub fn next_block(&mut self) -> bool {
         let open = self.left().into_iter().map(|row| {
             let slopes = self.rows[row].slopes.iter().enumerate();
@@ -119,7 +119,7 @@ impl<'w> Balances<'w> {
         true
     }
 
-    /// Rows of as many coordinates; nothing where their determinant may vanish throughout a branch.
+    /// Solves rows for as many coordinates; none if their determinant may vanish on a whole branch.
     fn determined(&mut self, known: Chosen) -> Option<Block> {
         let graph = &mut self.work.graph;
         let (determinant, numerators) = solved(graph, &known.slopes, &known.right);
@@ -226,7 +226,7 @@ impl<'w> Balances<'w> {
         bounds.collect()
     }
 
-    /// A coordinate that stands for others along a way: its balance, and its part in the rows.
+    /// A coordinate that stands for others along a way: its balance, and its slopes in the rows.
     fn stand_for(&mut self, coordinates: &[usize], along: &[Id], inertia: Id) -> usize {
         let graph = &mut self.work.graph;
         let mut masses: Vec<Id> = Vec::new();
@@ -253,7 +253,7 @@ impl<'w> Balances<'w> {
         self.all.len() - 1
     }
 
-    /// Puts what is found of coordinates into the other balances and rows.
+    /// Substitutes solved coordinates into the other balances and rows.
     fn replace(&mut self, mut block: Block) {
         let graph = &mut self.work.graph;
         let zero = graph.zero();
@@ -277,7 +277,7 @@ impl<'w> Balances<'w> {
             }
             block.later.push((number, slopes));
         }
-        // along its way, what is fixed takes nothing
+        // along its way, the fixed part has no inertia
         let way = block.way.as_ref().map(|way| way.coordinate);
         for (coordinate, balance) in self.all.iter_mut().enumerate() {
             if self.open[coordinate] && way != Some(coordinate) {
@@ -297,7 +297,7 @@ fn divided(graph: &mut Graph, numerators: &[Id], inverse: Id) -> Vec<Id> {
     values.collect()
 }
 
-/// What of a list is of these coordinates.
+/// The entries of a list for these coordinates.
 pub fn at(list: &[Id], coordinates: &[usize]) -> impl Iterator<Item = Id> {
     coordinates.iter().map(|own| list[*own])
 }

@@ -1,23 +1,23 @@
-//! Rows that are resolved together: which these are, and what follows from them.
+//! Blocks: rows that are solved together, and the results.
 
 use crate::symbolic::{Graph, Id};
 
-/// Rows that are resolved for the coordinates in which they have a part.
+/// Rows that are solved for the coordinates in them.
 pub struct Block {
     pub rows: Vec<usize>,
     pub coordinates: Vec<usize>,
-    /// Of these rows by these coordinates.
+    /// The slopes of these rows, by these coordinates.
     pub slopes: Vec<Vec<Id>>,
-    /// What the coordinates are; besides the way that is left.
+    /// The values of the coordinates, without the motion along the remaining way.
     pub fixed: Vec<Id>,
     pub way: Option<Way>,
     /// One over the determinant of the rows, or over the inertia along the way.
     pub inverse: Id,
-    /// Of later rows that these coordinates have a part in.
+    /// The slopes of later rows that contain these coordinates.
     pub later: Vec<(usize, Vec<Id>)>,
 }
 
-/// The way of moving that rows leave.
+/// The way of moving that remains.
 pub struct Way {
     pub along: Vec<Id>,
     /// `M n`
@@ -28,7 +28,8 @@ pub struct Way {
     pub coordinate: usize,
 }
 
-/// The fewest rows with no more than one coordinate more than they are; of these with the fewest.
+/// The smallest set of rows that contains at most one coordinate more than it has rows; among
+/// equals, the one with the fewest coordinates.
 pub fn next_rows(open: &[(usize, Vec<usize>)]) -> Option<(Vec<usize>, Vec<usize>)> {
     let with = |parts: &[&(usize, Vec<usize>)]| {
         let rows: Vec<usize> = parts.iter().map(|(row, _)| *row).collect();

@@ -1,4 +1,4 @@
-//! The loads that keep rows, once the motion is known: what the balances lack, `A^T l = M x - f`.
+//! The constraint loads, once the motion is known: what the balances lack, `A^T l = M x - f`.
 
 use crate::symbolic::{Graph, Id};
 
@@ -40,8 +40,8 @@ pub fn loads(graph: &mut Graph, reduced: &Reduced, lacking: &[Id], rows: usize) 
     loads
 }
 
-/// The loads of a block, times what its inverse is one over: of `A^T l = w`, or of
-/// `A^T l + s M n = w` where a way is left, along which nothing lacks.
+/// The loads of a block, before its reciprocal is applied: of `A^T l = w`, or of `A^T l + s M n =
+/// w` if a way remains, along which nothing is lacking.
 fn of_block(graph: &mut Graph, block: &Block, lacking: &[Id]) -> Vec<Id> {
     let momentum = block.way.as_ref().map(|way| way.momentum.as_slice());
     match (block.slopes.as_slice(), lacking, momentum) {

@@ -1,4 +1,4 @@
-//! Motion that is kept to constraints, without their loads.
+//! Motion under constraints, without their loads.
 //!
 //! ```text
 //! M x = f + A^T l        A x = r

@@ -7,23 +7,23 @@ use super::balances::{Balance, Balances, Held, at};
 use super::block::Block;
 use super::together::{Kept, together};
 
-/// What is found.
+/// The solution.
 pub struct Reduced {
-    /// Of all coordinates: those that were given, and those that stand for others.
+    /// The accelerations of all coordinates: the original ones, and those that stand for others.
     pub values: Vec<Id>,
     pub blocks: Vec<Block>,
     /// The rows that were eliminated with the balances, each with its load.
     pub eliminated: Vec<(usize, Id)>,
 }
 
-/// Resolves `M x = f + A^T l`, `A x = r` for x; nothing if rows are found to be dependent.
+/// Solves `M x = f + A^T l`, `A x = r` for x; none if rows turn out to be dependent.
 pub fn reduce(work: &mut Workspace, balances: Vec<Balance>, rows: Vec<Held>) -> Option<Reduced> {
     let mut balances = Balances::new(work, balances, rows);
     while balances.next_block() {}
     finish(balances)
 }
 
-/// What is left is eliminated; then the values of all coordinates follow, the last ones first.
+/// Eliminates the rest; then the values of all coordinates follow, the last ones first.
 fn finish(mut balances: Balances<'_>) -> Option<Reduced> {
     let zero = balances.work.graph.zero();
     let mut values = vec![zero; balances.all.len()];
@@ -47,7 +47,7 @@ fn finish(mut balances: Balances<'_>) -> Option<Reduced> {
             }
             continue;
         };
-        // what moves alone is divided once, with what it stands for
+        // a coordinate that moves alone is divided once, together with those it stands for
         let is_alone = alone.contains(&way.coordinate);
         let (parts, by) = if is_alone {
             (&way.numerators, balances.all[way.coordinate].driving)
@@ -71,7 +71,8 @@ fn finish(mut balances: Balances<'_>) -> Option<Reduced> {
     })
 }
 
-/// Whether a coordinate stands for others, and nothing else that is left has to do with it.
+/// Whether a coordinate stands for others, and no other remaining coordinate or row is coupled to
+/// it.
 fn is_alone(balances: &Balances<'_>, own: usize, left: &[usize]) -> bool {
     let graph = &balances.work.graph;
     let mut ways = balances

@@ -1,14 +1,14 @@
-//! Balances, and rows that are kept, as equations for the coordinates and then the loads.
+//! Balances and constraint rows, as equations for the coordinates and then the loads.
 
 use crate::mechanics::proofs::samples;
 use crate::model::Workspace;
 use crate::symbolic::{Equation, Id, Size};
 
-/// A row, and what its load does.
+/// A row, and the effect of its load.
 pub struct Kept {
     pub slopes: Vec<Id>,
     pub right: Id,
-    /// Of a unit of its load, along each coordinate.
+    /// The effect of a unit of its load along each coordinate.
     pub pushes: Vec<Id>,
     /// The factor of its load in the row itself.
     pub own: Id,

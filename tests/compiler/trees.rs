@@ -290,8 +290,7 @@ fn accelerations_are_those_of_the_references() {
     check("ur5", include_str!("../reference/systems/ur5.json"), 478);
 }
 
-/// Inverse dynamics, of balls and of a free base too, where the language has no open drives; of the satellite, 30 of them turn
-/// the acceleration of the base.
+/// Inverse dynamics; of the satellite, 30 operations turn the acceleration of the base, and the load on it is in its axes.
 #[test]
 fn drives_are_those_of_the_references() {
     check_drives(

@@ -195,6 +195,53 @@ fn series() {
     follows_series(&Generic::default(), &GenericState { flight });
 }
 
+/// Rotors whose axes are written in other ways: in params, on what is welded on, behind turns.
+#[test]
+fn axes_of_rotors() {
+    let TiltedState { socket, near, .. } = tilted();
+    let aimed = AimedState { socket, spin: near };
+    for axis in [[1.0, 0.0], [0.0, 1.0], [0.6, -0.8]] {
+        let [a, b] = axis;
+        let ball = Aimed::new(AimedParams { a, b }).expect("each axis is one");
+        follows_series(&ball, &aimed);
+    }
+    let ((orbit, spin), ..) = problem("free");
+    let roll = hinge(0.7, 3.0);
+    follows_series(&Bolted::default(), &BoltedState { orbit, spin, roll });
+    follows_series(&Leaned::default(), &LeanedState { orbit, spin });
+}
+
+/// A wheel on a body that swings keeps its attitude.
+#[test]
+fn wheels_on_pendulums() {
+    let flight = Planar {
+        position: [1.0, 2.0].into(),
+        angle: 0.3,
+        velocity: [0.5, 1.0].into(),
+        angular_velocity: 0.7,
+    };
+    let spin = hinge(0.5, -4.0);
+    follows_series(&Pulled::default(), &PulledState { flight, spin });
+    let start = ClockState {
+        swing: hinge(0.6, 1.0),
+        hang: hinge(0.5, -4.0),
+        back: hinge(-0.2, 3.0),
+    };
+    follows_series(&Clock::default(), &start);
+}
+
+/// The axis of a pendulum is any.
+#[test]
+fn a_slanted_pendulum() {
+    let swing = hinge(0.5, 1.0);
+    for time in [0.1, 7.0, -300.0] {
+        let end = Slanted::default().flow(&SlantedState { swing }, time);
+        let alone = Leaning::default().flow(&swing, time);
+        let error = apart(&end.swing, &alone);
+        assert!(error < 1e-13, "{time} s: {error:e}");
+    }
+}
+
 fn parts() -> ApartState {
     let attitude = UnitQuaternion::new(Vector3::new(0.3, -0.2, 0.5));
     let flying = |angular_velocity: [f64; 3]| Spatial {

@@ -242,3 +242,140 @@ rigid_system!(Flat {
     drives: [motor = 0.05[N * m].on(spin)],
     outputs: [flow, taylor],
 });
+
+rigid_system!(Aimed {
+    doc: "A ball whose rotor turns about an axis of params, one component of which is zero.",
+    params: [a = 1, b = 0],
+    bodies: [
+        hub {
+            mass: 4[kg],
+            inertia: principal(0.3, 0.3, 0.3)
+        },
+        rotor {
+            mass: 0.5[kg],
+            inertia: principal(0.1, 0.1, 0.1)
+        },
+    ],
+    joints: [
+        socket = rotation(hub),
+        spin = revolute(hub.G, rotor.G, body(a, 0, b))
+    ],
+    drives: [motor = 0.02[N * m].on(spin)],
+    outputs: [flow, taylor],
+});
+
+rigid_system!(Slanted {
+    doc: "A pendulum about a slanted axis, as the body `Leaning`.",
+    bodies: [bob {
+        mass: 2[kg],
+        inertia: principal(0.02, 0.025, 0.03),
+        points: [pin = (0.1, 0, 0.4)]
+    },],
+    joints: [swing = revolute(world(0, 0, 0), bob.pin, world(1, 2, 2))],
+    fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+    outputs: [flow],
+});
+
+rigid_body!(Leaning {
+    motion: fixed_axis(pin, world(1, 2, 2)),
+    mass: 2[kg],
+    inertia: principal(0.02, 0.025, 0.03),
+    points: [pin = (0.1, 0, 0.4)],
+    fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+    outputs: [flow],
+});
+
+rigid_system!(Bolted {
+    doc: "A rotor on a mount that is welded to the hub, and one behind a turn.",
+    bodies: [
+        hub {
+            mass: 8[kg],
+            inertia: principal(0.5, 0.9, 0.9),
+            points: [seat = (-0.2, 0, 0), far = (0.3, 0, 0)]
+        },
+        mount {
+            mass: 1[kg],
+            inertia: principal(0.03, 0.02, 0.02)
+        },
+        rotor {
+            mass: 2[kg],
+            inertia: principal(0.03, 0.02, 0.02)
+        },
+        wheel {
+            mass: 1[kg],
+            inertia: principal(0.01, 0.01, 0.015)
+        },
+    ],
+    joints: [
+        orbit = free(hub),
+        bolt = weld(hub.seat, mount.G),
+        spin = revolute(mount.G, rotor.G, body(1, 0, 0)),
+        roll = revolute(hub.far, wheel.G, body(0, 0, 1)).turned(body(0, 1, 0), 90[deg]),
+    ],
+    drives: [motor = 0.02[N * m].on(roll)],
+    outputs: [flow, taylor],
+});
+
+rigid_system!(Leaned {
+    doc: "A ball with a rotor whose axis is turned by 30 deg.",
+    bodies: [
+        hub {
+            mass: 8[kg],
+            inertia: principal(0.3, 0.3, 0.3)
+        },
+        rotor {
+            mass: 2[kg],
+            inertia: principal(0.02, 0.02, 0.03)
+        },
+    ],
+    joints: [
+        orbit = free(hub),
+        spin = revolute(hub.G, rotor.G, body(0, 0, 1)).turned(body(0, 1, 0), 30[deg]),
+    ],
+    outputs: [flow, taylor],
+});
+
+rigid_system!(Pulled {
+    doc: "A plate that a force pulls, with a wheel on a pin beside its center of mass.",
+    motion: planar,
+    bodies: [
+        plate {
+            mass: 2[kg],
+            inertia: 0.1[kg * m ^ 2],
+            points: [seat = (0.2, 0.1)],
+            forces: [pull = world(1[N], 0.5[N])]
+        },
+        wheel {
+            mass: 1[kg],
+            inertia: 0.02[kg * m ^ 2]
+        },
+    ],
+    joints: [flight = free(plate), spin = revolute(plate.seat, wheel.G)],
+    outputs: [flow, taylor],
+});
+
+rigid_system!(Clock {
+    doc: "A pendulum whose bob carries two wheels, one about the opposite direction, with a motor.",
+    bodies: [
+        rod {
+            mass: 1[kg],
+            inertia: principal(0.1, 0.1, 0.01),
+            points: [top = (0, 0, 0.5), foot = (0, 0, -0.5)]
+        },
+        bob {
+            mass: 2[kg],
+            inertia: principal(0.02, 0.03, 0.02)
+        },
+        wheel {
+            mass: 1[kg],
+            inertia: principal(0.01, 0.02, 0.01)
+        },
+    ],
+    joints: [
+        swing = revolute(world(0, 0, 0), rod.top, world(0, 1, 0)),
+        hang = revolute(rod.foot, bob.G, body(0, 1, 0)),
+        back = revolute(rod.foot, wheel.G, body(0, -1, 0)),
+    ],
+    fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+    outputs: [flow, taylor],
+});

@@ -9,7 +9,7 @@ fn count(operations: &[Operations]) -> (u32, u32) {
     counted(operations, "acceleration")
 }
 
-fn counted(operations: &[Operations], function: &str) -> (u32, u32) {
+pub fn counted(operations: &[Operations], function: &str) -> (u32, u32) {
     let mut rows = operations.iter();
     let row = rows.find(|row| row.function == function).unwrap();
     assert_eq!((row.sqrt, row.other), (0, 0));

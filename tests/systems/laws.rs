@@ -324,3 +324,35 @@ fn momentum_of_what_drifts_is_constant() {
         }
     }
 }
+
+/// A million metres away, the momentum about G has all its digits; places are halves of a
+/// micrometre apart, so that all are moved alike.
+#[test]
+fn momentum_keeps_its_digits_far_away() {
+    let system = Drifting::default();
+    let mut numbers = Random::new(8);
+    let step = 2.0_f64.powi(-21);
+    let away = Vector3::new(1e6, -2e6, 3e6);
+    for _ in 0..20 {
+        let mut near = DriftingState {
+            base: Jointed::random(&mut numbers),
+            joint: Jointed::random(&mut numbers),
+            rail: Jointed::random(&mut numbers),
+            flight: Jointed::random(&mut numbers),
+        };
+        for place in [&mut near.base.position, &mut near.flight.position] {
+            *place = place.map(|x| (x / step).round() * step);
+        }
+        let mut far = near;
+        for place in [&mut far.base.position, &mut far.flight.position] {
+            *place += away;
+        }
+        let angular = system.angular_momentum(&near);
+        let moved = system.angular_momentum(&far);
+        assert_eq!(moved, angular);
+        let linear = system.linear_momentum(&near);
+        let about_pole = system.angular_momentum_about_pole(0.0, &near) + away.cross(&linear);
+        let moved = system.angular_momentum_about_pole(0.0, &far);
+        assert!((moved - about_pole).norm() < 1e-15 * away.norm() * linear.norm());
+    }
+}

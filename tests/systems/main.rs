@@ -26,6 +26,7 @@ mod links;
 mod loops;
 mod matrices;
 mod mechanisms;
+mod open;
 mod oracle;
 mod params;
 mod plane;

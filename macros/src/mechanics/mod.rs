@@ -29,11 +29,12 @@ pub use linearization::{
 };
 pub use structure::{Dependence, QUANTITIES, Structure, Symmetry};
 pub use system::{
-    Course, Inertias, Jacobian, SystemEquations, SystemFlow, check_followers, derive_inertias,
-    derive_jacobians, derive_system, derive_system_balances, derive_system_consistency,
-    derive_system_driving, derive_system_energy, derive_system_flow, derive_system_held,
-    derive_system_inverse, derive_system_momentum, derive_system_open, derive_system_reactions,
-    derive_system_regressors, derive_system_release, derive_system_taylor, describe_system,
+    Counter, Course, Inertias, Jacobian, SystemEquations, SystemFlow, check_followers,
+    derive_inertias, derive_jacobians, derive_system, derive_system_balances,
+    derive_system_consistency, derive_system_driving, derive_system_energy, derive_system_flow,
+    derive_system_held, derive_system_inverse, derive_system_momentum, derive_system_open,
+    derive_system_reactions, derive_system_regressors, derive_system_release, derive_system_taylor,
+    describe_system,
 };
 pub use unknowns::{Consistency, Reach, derive_inverse, derive_reach};
 pub use variation::{with_potentials, with_system_potentials};

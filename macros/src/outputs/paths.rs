@@ -51,7 +51,7 @@ impl Start<'_> {
             }
             Rotation::Pendulum { .. } => {
                 let (rate, hanging) = (values.next(), values.next());
-                let state = self.turning("Hinge", "angle");
+                let state = self.hinge();
                 quote!(#private::Pendulum::new(#rate, #hanging, #state))
             }
             Rotation::Free(free) => self.free(free, values),
@@ -71,6 +71,11 @@ impl Start<'_> {
                 quote!(#private::gyrostat(#axis, #spin, #along, #state))
             }
         })
+    }
+
+    /// The state of what turns about an axis.
+    pub fn hinge(&self) -> TokenStream {
+        self.turning("Hinge", "angle")
     }
 
     /// `state`, or of what moves too `&Rotation { attitude: state.attitude, angular_velocity:

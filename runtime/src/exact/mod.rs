@@ -14,6 +14,7 @@
 //! | [`Gyrostat`] | the axis of a symmetric body with rotors, and the rates that its rotors leave it |
 //! | [`Parabola`] | constant acceleration |
 //! | [`Accelerated`] | the state of a joint, and its constant acceleration |
+//! | [`CounterSwing`] | a [`Pendulum`], and the state of a wheel on it |
 //! | [`Flight`] | a [`Parabola`] of G, and one of the rotations |
 //! | [`FlyingPoint`] | the same, seen from another point of the body |
 //!
@@ -23,6 +24,7 @@
 
 mod accelerated;
 mod axial_torque;
+mod counter_swing;
 mod elliptic;
 mod flight;
 mod flying_point;
@@ -36,6 +38,7 @@ mod pendulum;
 pub use crate::bodies::path::Path;
 pub use accelerated::Accelerated;
 pub use axial_torque::AxialTorque;
+pub use counter_swing::CounterSwing;
 pub use elliptic::carlson::r_j;
 pub use elliptic::jacobi::{Elliptic, Jacobi};
 pub use flight::Flight;

@@ -15,8 +15,8 @@ pub use crate::bodies::linearization::{
 pub use crate::bodies::operations::{Operations, Stage};
 pub use crate::bodies::structure::{Dependence, Structure, Structured, Symmetry};
 pub use crate::exact::{
-    Accelerated, AxialTorque, Flight, FlyingPoint, FreeRotation, GreatCircle, Gyrostat,
-    LagrangeTop, Parabola, Path, Pendulum,
+    Accelerated, AxialTorque, CounterSwing, Flight, FlyingPoint, FreeRotation, GreatCircle,
+    Gyrostat, LagrangeTop, Parabola, Path, Pendulum,
 };
 pub use crate::integrate::{
     ClosedForm, Integrate, Projected, RungeKuttaPair, Switches, TaylorSeries,

@@ -189,7 +189,7 @@ impl Shapes {
 
     /// The runtime's type of the acceleration of one joint.
     pub fn joint_acceleration_type(&self, shape: &Shape) -> TokenStream {
-        let (private, kind) = (&self.private, self.scalar.kind());
+        let private = &self.private;
         if let Some(name) = shape.acceleration {
             let (name, applied) = (format_ident!("{name}"), self.scalar.applied());
             return if self.scalar.is_generic() {
@@ -198,7 +198,13 @@ impl Shapes {
                 quote!(#private::#name)
             };
         }
-        match shape.second.first().map_or(0, |field| field.names.len()) {
+        self.numbers_type(shape.second.first().map_or(0, |field| field.names.len()))
+    }
+
+    /// A scalar, or a vector of this many numbers.
+    pub fn numbers_type(&self, count: usize) -> TokenStream {
+        let (private, kind) = (&self.private, self.scalar.kind());
+        match count {
             1 => kind,
             2 => quote!(#private::Vector2<#kind>),
             _ => quote!(#private::Vector3<#kind>),

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, hint};
-use crate::model::{Dimension, Field, TreeJoint, Variable};
+use crate::model::{Dimension, Field, JointKind, TreeJoint, Variable};
 use crate::symbolic::Id;
 use crate::syntax::{Definition, Expression, Kind, call};
 
@@ -42,18 +42,25 @@ pub fn report_operand<T>(word: &Ident, errors: &mut Errors) -> Option<T> {
 }
 
 /// `elbow`, or `gimbal.angle_1`: the joint, and its coordinate.
+fn joint_and_coordinate(target: &Expression) -> Option<(&Ident, Option<&Ident>)> {
+    match &target.kind {
+        Kind::Name(name) => Some((name, None)),
+        Kind::Field(inner, word) => match &inner.kind {
+            Kind::Name(name) => Some((name, Some(word))),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// The same; anything else is reported.
 fn joint_named<'e>(
     target: &'e Expression,
     errors: &mut Errors,
 ) -> Option<(&'e Ident, Option<&'e Ident>)> {
-    match &target.kind {
-        Kind::Name(name) => return Some((name, None)),
-        Kind::Field(inner, word) => {
-            if let Kind::Name(name) = &inner.kind {
-                return Some((name, Some(word)));
-            }
-        }
-        _ => {}
+    let found = joint_and_coordinate(target);
+    if found.is_some() {
+        return found;
     }
     errors.report(
         target.extent,
@@ -61,14 +68,52 @@ fn joint_named<'e>(
     )
 }
 
-/// The coordinates of a joint that have names, by the fields of its state.
-fn coordinates(joint: &TreeJoint) -> impl Iterator<Item = &'static Field> {
-    let fields = joint.kind.shape.into_iter().flat_map(|shape| shape.fields);
-    fields.filter(|field| matches!(field.variable, Variable::Position | Variable::Angle))
+/// The coordinates of a joint on which drives act, by their words, with the fields of its state.
+/// Given drives know no attitude, as it is no number.
+fn coordinates(kind: &JointKind, is_open: bool) -> Vec<(&'static str, &'static Field)> {
+    let fields = kind.shape.into_iter().flat_map(|shape| shape.fields);
+    let fields = fields.filter(|field| match field.variable {
+        Variable::Position | Variable::Angle => true,
+        Variable::Quaternion => is_open,
+        _ => false,
+    });
+    let named = fields.map(|field| {
+        let (word, _) = field.path.split_once('.').unwrap_or((field.path, ""));
+        (word, field)
+    });
+    named.collect()
 }
 
-/// Reports a joint on which no drive acts.
-fn check_drivable(joint: &TreeJoint, target: &Expression, errors: &mut Errors) -> Option<()> {
+/// The open drive that is written, and the number of its components: those of the rate of the
+/// coordinate, as far as the joint is known.
+pub fn open_drive(
+    drive: &Definition,
+    kind_of: impl Fn(&Ident) -> Option<&'static JointKind>,
+) -> Option<(&Ident, usize)> {
+    let (load, targets) = behind(drive.value.as_ref()?, "on")?;
+    let Kind::Placeholder = load.kind else {
+        return None;
+    };
+    let target = targets.first().and_then(joint_and_coordinate);
+    let kind = target.and_then(|(name, _)| kind_of(name));
+    let word = target.and_then(|(_, word)| word);
+    let fields = kind.map_or_else(Vec::new, |kind| coordinates(kind, true));
+    let mut known = fields.iter();
+    let field = known.find(|(path, _)| word.is_none_or(|word| word == path));
+    let count = field.map_or(1, |(_, field)| match field.variable {
+        Variable::Quaternion => 3,
+        _ => field.names.len(),
+    });
+    Some((&drive.name, count))
+}
+
+/// Reports a joint on which no drive acts: given ones do not act on a free body.
+fn check_drivable(
+    joint: &TreeJoint,
+    all: &[(Variable, usize)],
+    (target, is_open): (&Expression, bool),
+    errors: &mut Errors,
+) -> Option<()> {
     let name = &joint.name;
     if joint.is_driven() {
         let message = format!(
@@ -77,9 +122,9 @@ fn check_drivable(joint: &TreeJoint, target: &Expression, errors: &mut Errors) -
         );
         return errors.report(target.extent, message);
     }
-    let message = if joint.drives.is_empty() {
+    let message = if all.is_empty() {
         format!("`{name}` does not move: there is nothing to drive")
-    } else if joint.kind.is_free() {
+    } else if joint.kind.is_free() && !is_open {
         format!(
             "nothing holds `{name}`: what acts on its body is a force or a moment in its braces"
         )
@@ -94,13 +139,14 @@ fn check_drivable(joint: &TreeJoint, target: &Expression, errors: &mut Errors) -
 fn chosen(
     joint: &TreeJoint,
     all: &[(Variable, usize)],
-    word: Option<&Ident>,
-    target: &Expression,
+    (target, is_open): (&Expression, bool),
     errors: &mut Errors,
 ) -> Option<Vec<usize>> {
     let name = &joint.name;
-    check_drivable(joint, target, errors)?;
-    let words: Vec<&str> = coordinates(joint).map(|field| field.path).collect();
+    let (_, word) = joint_named(target, errors)?;
+    check_drivable(joint, all, (target, is_open), errors)?;
+    let known = coordinates(joint.kind, is_open);
+    let words: Vec<&str> = known.iter().map(|(word, _)| *word).collect();
     let Some(word) = word else {
         // a ball joint has no names for the components of its quaternion
         if words.len() <= 1 {
@@ -113,7 +159,7 @@ fn chosen(
             format!("along which coordinate? write `.on({all})`"),
         );
     };
-    let Some(field) = coordinates(joint).find(|field| *word == field.path) else {
+    let Some((_, field)) = known.into_iter().find(|(known, _)| *word == known) else {
         if words.is_empty() {
             let message = format!(
                 "no coordinate of `{name}` is a number: a drive on it is a moment, a vector, as in \
@@ -131,6 +177,7 @@ fn chosen(
         Variable::Position => Variable::Velocity,
         _ => Variable::AngularVelocity,
     };
+    // a quaternion has one component more than its rate
     let of_field = field.first..field.first + field.names.len();
     let chosen = (0..all.len()).filter(|freedom| {
         let (variable, part) = all[*freedom];
@@ -173,12 +220,13 @@ impl Reader<'_> {
             };
             return errors.report(place, message);
         };
-        let (name, word) = joint_named(target, errors)?;
+        let (name, _) = joint_named(target, errors)?;
         self.check_joint(name, errors)?;
         let place = joints.iter().position(|joint| joint.name == *name)?;
         let joint = &mut joints[place];
         let all = joint.kind.freedoms(self.system.is_planar);
-        let chosen = chosen(joint, &all, word, target, errors)?;
+        let is_open = matches!(load.kind, Kind::Placeholder);
+        let chosen = chosen(joint, &all, (target, is_open), errors)?;
         if let Some(((word, _), _)) = call(load).filter(|((word, _), _)| *word == "moment") {
             let form = if chosen.len() == 1 {
                 "torque"
@@ -190,7 +238,7 @@ impl Reader<'_> {
             );
             return errors.report(word.span(), message);
         }
-        if matches!(load.kind, Kind::Placeholder) {
+        if is_open {
             return self.open(drive, load, joint, &chosen, errors);
         }
         let parts = self.load_along(load, joint, all[chosen[0]].0, chosen.len(), errors)?;
@@ -263,7 +311,7 @@ impl Reader<'_> {
         errors.report(name.span(), message)
     }
 
-    /// Leaves the load along a coordinate open, for inverse dynamics.
+    /// Leaves the loads along a coordinate open, for inverse dynamics.
     fn open(
         &self,
         drive: &Definition,
@@ -278,22 +326,14 @@ impl Reader<'_> {
                 "an unknown drive is for `outputs: [inverse]`: ask for that, or write a value",
             );
         }
-        let [chosen] = *chosen else {
-            let (kind, count) = (joint.kind.word, chosen.len());
-            return errors.report(
-                load.extent,
-                format!(
-                    "an open drive is along one freedom, and these are {count} of the {kind} joint: \
-                     prescribe its loads by inputs"
-                ),
-            );
-        };
-        let open = &mut joint.open[chosen];
-        if let Some(other) = open {
-            let message = format!("`{other}` is open on this coordinate already");
-            return errors.report(drive.name.span(), message);
+        for freedom in chosen {
+            let open = &mut joint.open[*freedom];
+            if let Some(other) = open {
+                let message = format!("`{other}` is open on this coordinate already");
+                return errors.report(drive.name.span(), message);
+            }
+            *open = Some(drive.name.clone());
         }
-        *open = Some(drive.name.clone());
         Some(())
     }
 }

@@ -9,7 +9,7 @@ use crate::errors::similar;
 use crate::model::{Holds, JointKind, Jointed, Outline};
 use crate::syntax::{self, Definition, Expression, Kind, call};
 
-use super::drives::behind;
+use super::drives::open_drive;
 use super::joints::driven::coordinates;
 use super::joints::joint::{first_name_of, kind_of};
 
@@ -54,12 +54,14 @@ pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
         });
     let joints = joints.collect();
     outline.joints = joints;
-    let open = system.drives.iter().filter(|drive| {
-        let load = drive.value.as_ref().and_then(|value| behind(value, "on"));
-        load.is_some_and(|(load, _)| matches!(load.kind, Kind::Placeholder))
-    });
-    let open = open.filter(|drive| seen.insert(format!("drive {}", drive.name)));
-    outline.open = open.map(|drive| drive.name.clone()).collect();
+    let kind = |name: &Ident| {
+        let joint = system.joints.iter().find(|joint| joint.name == *name)?;
+        likely_kind(joint, system.is_planar)
+    };
+    let open = system.drives.iter();
+    let open = open.filter_map(|drive| open_drive(drive, kind));
+    let open = open.filter(|(name, _)| seen.insert(format!("drive {name}")));
+    outline.open = open.map(|(name, count)| (name.clone(), count)).collect();
 }
 
 /// The possible names of the loads of all written constraints, scalars and vectors.

@@ -5,6 +5,7 @@ use crate::mechanics::proofs::all_vanish;
 use crate::model::{Model, Workspace};
 use crate::symbolic::{Function, Id};
 
+use super::constants::at_rest;
 use super::forms::{Contribution, Rotation, dependence};
 
 /// The effect of a load on the motion about an axis.
@@ -105,17 +106,22 @@ fn kinds<'a>(
     acting.collect()
 }
 
-/// `(a, b)` of `a sin theta + b cos theta`.
+/// `(a, b)` of `a sin theta + b cos theta`, which may be written with all else of the state.
 fn swinging(angle: Id, work: &mut Workspace, expression: Id) -> Option<(Id, Id)> {
+    let of_late = |id: Id| !work.graph.is_early(id) && id != angle;
+    let still = if work.graph.depends_on(&[expression], of_late) {
+        at_rest(work, &[expression], |id| id == angle)[0]
+    } else {
+        expression
+    };
     let graph = &mut work.graph;
-    let of_late = |id: Id| !graph.is_early(id) && id != angle;
-    if graph.depends_on(&[expression], of_late) {
+    let slope = graph.derivative(&[still], angle)[0];
+    let zero = graph.zero();
+    let at_zero = graph.substitute(&[slope, still], |id| (id == angle).then_some(zero));
+    let (a, b) = (at_zero[0], at_zero[1]);
+    if !graph.are_early(&at_zero) {
         return None;
     }
-    let slope = graph.derivative(&[expression], angle)[0];
-    let zero = graph.zero();
-    let at_zero = graph.substitute(&[slope, expression], |id| (id == angle).then_some(zero));
-    let (a, b) = (at_zero[0], at_zero[1]);
     let sine = graph.apply(Function::Sin, &[angle]);
     let cosine = graph.apply(Function::Cos, &[angle]);
     let (first, second) = (graph.multiply(a, sine), graph.multiply(b, cosine));

@@ -9,7 +9,7 @@
 
 use crate::mechanics::proofs::all_vanish;
 use crate::model::Workspace;
-use crate::symbolic::{Components, Id};
+use crate::symbolic::{Components, Id, Number};
 
 use super::constants::{at_rest, constants};
 
@@ -56,7 +56,7 @@ impl Gyrostat {
 
     fn about(work: &mut Workspace, turning: &Turning<'_>, axis: Components) -> Option<Self> {
         let (w, acceleration) = (turning.angular_velocity, turning.angular_acceleration);
-        let spin = spin(work, turning, axis)?;
+        let spin = spin(work, turning, axis);
         let graph = &mut work.graph;
         let along = graph.dot(acceleration, axis);
         let pushed = graph.scale_vector(along, axis);
@@ -85,22 +85,24 @@ impl Gyrostat {
     }
 }
 
-/// n, if there is one: by how much w' changes along f as w does along e x f, where w is along e and
-/// only rates are not zero.
-fn spin(work: &mut Workspace, turning: &Turning<'_>, axis: Components) -> Option<Id> {
+/// n, if there is one: half the turn of the map from w to w' about e, where w is along e and only
+/// rates are not zero. Nothing divides by a component of the axis, which may vanish.
+fn spin(work: &mut Workspace, turning: &Turning<'_>, axis: Components) -> Id {
     let w = turning.angular_velocity;
     let place = |id: Id| w.iter().position(|component| *component == id);
     let graph = &mut work.graph;
-    let across = graph.unit_vectors().map(|unit| graph.cross(axis, unit));
-    let first = across.iter().find(|across| !graph.is_zero_vector(across))?;
-    let second = graph.cross(axis, *first);
-    let part = graph.dot(turning.angular_acceleration, *first);
-    let change = graph.change(&[part], |id| Some(second[place(id)?]))[0];
-    let square = graph.norm_squared(second);
-    let spin = graph.divide(change, square);
+    let mut twice = graph.zero();
+    for unit in graph.unit_vectors() {
+        let across = graph.cross(unit, axis);
+        let part = graph.dot(turning.angular_acceleration, across);
+        let change = graph.change(&[part], |id| Some(unit[place(id)?]))[0];
+        twice = graph.add(twice, change);
+    }
+    let half = graph.number(Number::ratio(1, 2));
+    let spin = graph.distribute(half, twice);
     let along = graph.dot(w, axis);
     let along = graph.scale_vector(along, axis);
     let spin = graph.substitute(&[spin], |id| Some(along[place(id)?]));
     let is_rate = |id: Id| turning.acceleration(id).is_some();
-    Some(at_rest(work, &spin, is_rate)[0])
+    at_rest(work, &spin, is_rate)[0]
 }

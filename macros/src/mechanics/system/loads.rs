@@ -57,16 +57,16 @@ fn report_undetermined(names: &[&Ident], unknowns: &[Undetermined], errors: &mut
             continue;
         };
         reported.push(last);
-        let others: Vec<String> = drives
-            .iter()
-            .map(|other| format!("`{}`", names[*other]))
-            .collect();
+        let drive = names[last];
+        let others = drives.iter().map(|other| names[*other]);
+        let others = others.filter(|other| *other != drive);
+        let mut others: Vec<String> = others.map(|other| format!("`{other}`")).collect();
+        others.dedup();
         let others = if others.is_empty() {
             "what keeps the constraints".to_owned()
         } else {
             others.join(" and ")
         };
-        let drive = names[last];
         let message = format!(
             "`{drive}` is not determined: {others} can do all that it does; give its value"
         );

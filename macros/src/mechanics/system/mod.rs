@@ -23,7 +23,7 @@ pub use balance::derive_system_balances;
 pub use consistency::derive_system_consistency;
 pub use constraints::check_followers;
 pub use equations::{SystemEquations, derive_system, describe_system};
-pub use flow::{Course, SystemFlow, derive_system_flow};
+pub use flow::{Counter, Course, SystemFlow, derive_system_flow};
 pub use jacobian::{Jacobian, derive_jacobians};
 pub use loads::{
     derive_system_driving, derive_system_held, derive_system_inverse, derive_system_open,

@@ -45,36 +45,56 @@ pub fn derive_system_energy(system: &System, work: &mut Workspace) -> Energy {
 }
 
 /// Of the whole, in world axes: linear, about its own G, and about the origin of the world.
+///
+/// What turns about G is formed from positions and velocities relative to the first body: far from
+/// the origin it keeps its digits.
 pub fn derive_system_momentum(system: &System, work: &mut Workspace) -> Momentum {
-    let (mut linear, mut about_origin) = (Vector::ZERO, Vector::ZERO);
-    let (mut first, mut mass) = (Vector::ZERO, work.graph.zero());
+    let (mut mass, mut linear) = (work.graph.zero(), Vector::ZERO);
+    let (mut first, mut drift) = (Vector::ZERO, Vector::ZERO);
+    let mut relative = Vec::new();
+    let start = system.bodies.first().map(|body| &body.state);
+    let start = start.map(|state| [state.position, state.velocity]);
+    let [position, velocity] = start.unwrap_or([Vector::ZERO; 2]);
     for body in &system.bodies {
+        mass = work.graph.add(mass, body.mass);
         let own = work.scale(body.mass, body.state.velocity);
         linear = work.add(linear, own);
-        let moved = work.scale(body.mass, body.state.position);
-        first = work.add(first, moved);
-        mass = work.graph.add(mass, body.mass);
-        let lever = cross_in_world(work, body.state.position, own);
+        let arm = subtract(work, body.state.position, position);
+        let rate = subtract(work, body.state.velocity, velocity);
+        let (moved, driven) = (work.scale(body.mass, arm), work.scale(body.mass, rate));
+        (first, drift) = (work.add(first, moved), work.add(drift, driven));
+        relative.push((body, arm, rate));
+    }
+    let one = work.graph.one();
+    let per_mass = work.graph.divide(one, mass);
+    let (center, drift) = (work.scale(per_mass, first), work.scale(per_mass, drift));
+    let mut about_center = Vector::ZERO;
+    for (body, arm, rate) in relative {
+        let (arm, rate) = (subtract(work, arm, center), subtract(work, rate, drift));
+        let own = work.scale(body.mass, rate);
+        let lever = cross_in_world(work, arm, own);
         let spin = body
             .inertia
             .times(&mut work.graph, body.state.angular_velocity);
         let spin = work.vector(body.state.body, spin);
         for part in [lever, spin] {
-            about_origin = work.add(about_origin, part);
+            about_center = work.add(about_center, part);
         }
     }
-    let one = work.graph.one();
-    let per_mass = work.graph.divide(one, mass);
-    let center = work.scale(per_mass, first);
+    let center = work.add(position, center);
     let carried = cross_in_world(work, center, linear);
-    let carried = work.negate(carried);
-    let about_center = work.add(about_origin, carried);
+    let about_pole = work.add(about_center, carried);
     let world = |work: &mut Workspace, vector: Vector| work.components(vector, Frame::WORLD);
     Momentum {
         linear: world(work, linear),
         angular: world(work, about_center),
-        about_pole: world(work, about_origin),
+        about_pole: world(work, about_pole),
     }
+}
+
+fn subtract(work: &mut Workspace, a: Vector, b: Vector) -> Vector {
+    let b = work.negate(b);
+    work.add(a, b)
 }
 
 fn cross_in_world(work: &mut Workspace, a: Vector, b: Vector) -> Vector {

@@ -65,8 +65,8 @@ pub struct Outline {
     pub keys: Vec<Ident>,
     /// For a system: those in the braces of its bodies.
     pub body_keys: Vec<Ident>,
-    /// For a system: its open drives, by name.
-    pub open: Vec<Ident>,
+    /// For a system: its open drives, by name, with the number of components.
+    pub open: Vec<(Ident, usize)>,
     /// Names that nothing in the description refers to.
     pub unused: Vec<Ident>,
 }

@@ -182,6 +182,14 @@ impl System {
         self.closings.is_empty() && self.constraints.list.is_empty()
     }
 
+    /// The joint to the ground that carries a body.
+    pub fn root(&self, mut body: usize) -> usize {
+        while let Some(carrier) = self.joints[body].carrier {
+            body = carrier;
+        }
+        body
+    }
+
     /// Whether a constraint is that of a massless link.
     pub fn is_link(&self, constraint: &Ident) -> bool {
         self.links.iter().any(|link| link.name == *constraint)

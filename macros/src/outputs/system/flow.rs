@@ -7,7 +7,7 @@ use quote::{format_ident, quote};
 use crate::emit::code::{Method, Shapes, Site, Values, Writer, local};
 use crate::emit::items::{Addition, Best};
 use crate::lower::{FLOW, Offer};
-use crate::mechanics::{Course, Free, Report, Rotation, SystemFlow, derive_system_flow};
+use crate::mechanics::{Counter, Course, Free, Report, Rotation, SystemFlow, derive_system_flow};
 use crate::model::{Shape, System, Variable, Workspace};
 use crate::outputs::output::{Basis, Output};
 use crate::outputs::paths::{Start, rotation_type};
@@ -121,6 +121,7 @@ fn declared(site: &Site<'_>, name: &Ident, fields: &[(Ident, TokenStream)]) -> T
 fn roots(course: &Course, axes: usize) -> Vec<Id> {
     match course {
         Course::Uniform(accelerations) => accelerations.clone(),
+        Course::Counter(counter) => [&counter.pendulum[..], &[counter.acceleration]].concat(),
         Course::Turning(rotation, center) => {
             let vectors = center.iter();
             let vectors = vectors.flat_map(|center| [Some(center.acceleration), center.offset]);
@@ -146,7 +147,7 @@ fn write_path(writer: &Writer<'_>, flow: &SystemFlow, name: &Ident) -> Method {
     let outputs: Vec<Id> = courses.flat_map(|course| roots(course, axes)).collect();
     Method::write(writer, &outputs, |values| {
         let fields = flow.joints.iter().map(|(joint, shape, course)| {
-            let path = joint_path(writer, joint, (shape, course), values);
+            let path = joint_path((writer, flow), joint, (shape, course), values);
             quote!(#joint: #path)
         });
         let fields: Vec<TokenStream> = fields.collect();
@@ -154,8 +155,42 @@ fn write_path(writer: &Writer<'_>, flow: &SystemFlow, name: &Ident) -> Method {
     })
 }
 
+/// `CounterSwing::new(&state.wheel, (Pendulum::new(..), &state.bob), 1.0, ..)`
+fn counter_path(
+    (writer, flow): (&Writer<'_>, &SystemFlow),
+    place: &TokenStream,
+    counter: &Counter,
+    values: &mut Values<'_>,
+) -> TokenStream {
+    let (shapes, state) = (&writer.shapes, local("state"));
+    let (private, swing) = (&shapes.private, &flow.joints[counter.swing].0);
+    let swing = quote!(#state.#swing);
+    let start = Start {
+        shapes,
+        place: swing.clone(),
+        reference: quote!(&#swing),
+        translates: counter.translates,
+    };
+    let (rate, hanging) = (values.next(), values.next());
+    let hinge = start.hinge();
+    let sign = if counter.is_opposite {
+        quote!(-1.0)
+    } else {
+        quote!(1.0)
+    };
+    let total = values.next();
+    quote! {
+        #private::CounterSwing::new(
+            &#place,
+            (#private::Pendulum::new(#rate, #hanging, #hinge), #hinge),
+            #sign,
+            #total,
+        )
+    }
+}
+
 fn joint_path(
-    writer: &Writer<'_>,
+    (writer, flow): (&Writer<'_>, &SystemFlow),
     joint: &Ident,
     (shape, course): (&Shape, &Course),
     values: &mut Values<'_>,
@@ -163,6 +198,9 @@ fn joint_path(
     let (shapes, state) = (&writer.shapes, local("state"));
     let (private, place) = (&shapes.private, quote!(#state.#joint));
     let (rotation, center) = match course {
+        Course::Counter(counter) => {
+            return counter_path((writer, flow), &place, counter, values);
+        }
         Course::Uniform(_) => {
             let acceleration = shapes.joint_acceleration(shape, values);
             return quote!(#private::Accelerated { start: #place, acceleration: #acceleration });
@@ -195,8 +233,10 @@ fn joint_path(
 /// `Accelerated<Hinge>`, `Flight<Gyrostat, 3>`, ...
 fn path_type(shapes: &Shapes, shape: &Shape, course: &Course) -> TokenStream {
     let private = &shapes.private;
-    let Course::Turning(rotation, center) = course else {
-        return accelerated(shapes, shape);
+    let (rotation, center) = match course {
+        Course::Uniform(_) => return accelerated(shapes, shape),
+        Course::Counter(_) => return quote!(#private::CounterSwing),
+        Course::Turning(rotation, center) => (rotation, center),
     };
     let rotation = rotation_type(shapes, rotation);
     let axes = Literal::usize_unsuffixed(shapes.motion.axes());

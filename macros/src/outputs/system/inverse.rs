@@ -17,9 +17,9 @@ const OFFER: Offer = Offer {
     ..Offer::new(INVERSE)
 };
 
-/// The open drives, by name.
+/// The open drives, by name, each with the loads along its freedoms.
 #[derive(Default)]
-pub struct Inverse(Option<Vec<(Ident, Id)>>);
+pub struct Inverse(Option<Vec<(Ident, Vec<Id>)>>);
 
 impl Output<System> for Inverse {
     fn offer(&self) -> Option<&'static Offer> {
@@ -53,33 +53,49 @@ impl Output<System> for Inverse {
             return None;
         }
         let found = derive_system_inverse(system, basis.work, basis.equations, basis.errors);
-        let drives = open().flatten().cloned().zip(found);
-        self.0 = Some(drives.collect());
+        let mut drives: Vec<(Ident, Vec<Id>)> = Vec::new();
+        for (name, load) in open().flatten().zip(found) {
+            match drives.last_mut() {
+                Some((last, loads)) if last == name => loads.push(load),
+                _ => drives.push((name.clone(), vec![load])),
+            }
+        }
+        self.0 = Some(drives);
         Some(())
     }
 
     fn roots(&self) -> Vec<Id> {
-        self.0.iter().flatten().map(|(_, load)| *load).collect()
+        loads(self.0.iter().flatten())
     }
 
     fn emit(&self, site: &Site<'_>) -> Addition {
         let (shapes, outline) = (&site.shapes, site.outline);
-        let scalar = shapes.scalar.kind();
-        let derived = self.0.iter().flatten().map(|(name, _)| name);
+        let derived = self.0.iter().flatten();
+        let derived = derived.map(|(name, loads)| (name, loads.len()));
         let stub = outline.open.iter().filter(|_| self.0.is_none());
-        let names = derived.chain(stub);
+        let stub = stub.map(|(name, count)| (name, *count));
+        let drives: Vec<(&Ident, usize)> = derived.chain(stub).collect();
+        let fields = drives.iter();
+        let fields = fields.map(|(name, count)| Field::new(name, shapes.numbers_type(*count)));
         let by_name = Record {
             suffix: "Drives",
-            doc: format!(" The open drives of [`{}`], in N * m or N.", outline.name),
-            fields: names.map(|name| Field::new(name, scalar.clone())).collect(),
+            doc: format!(
+                " The open drives of [`{}`], in N * m or N. Several components are those of the rate of \
+                 the coordinate, in its axes.",
+                outline.name
+            ),
+            fields: fields.collect(),
             has_default: true,
         };
-        let method = site.method(self.0.as_ref(), |writer, drives| {
-            let loads: Vec<Id> = drives.iter().map(|(_, load)| *load).collect();
-            Method::write(writer, &loads, |values| {
-                by_name.filled(outline, values, |_, values| {
-                    let value = values.next();
-                    quote!(#value)
+        let method = site.method(self.0.as_ref(), |writer, solved| {
+            Method::write(writer, &loads(solved.iter()), |values| {
+                by_name.filled(outline, values, |drive, values| {
+                    let parts = values.take(drives[drive].1);
+                    if drives[drive].1 == 1 {
+                        quote!(#(#parts)*)
+                    } else {
+                        quote!([#(#parts),*].into())
+                    }
                 })
             })
         });
@@ -95,4 +111,8 @@ impl Output<System> for Inverse {
         let addition = Addition::implement(site, "Inverse", [types, quote!()], &methods);
         addition.with(outline, &by_name)
     }
+}
+
+fn loads<'d>(drives: impl Iterator<Item = &'d (Ident, Vec<Id>)>) -> Vec<Id> {
+    drives.flat_map(|(_, loads)| loads).copied().collect()
 }

@@ -1,7 +1,7 @@
 //! The closed form of the motion of one joint, proved on its accelerations.
 
 use crate::mechanics::closed_forms::{
-    Gyrostat, Rotation, Solid, Turning, constants, free, swing, symmetric,
+    Gyrostat, Rotation, Solid, Turning, at_rest, constants, free, swing, symmetric,
 };
 use crate::mechanics::proofs::all_vanish;
 use crate::model::{Frame, Inertia, System, TreeJoint, Variable, Workspace};
@@ -17,6 +17,22 @@ pub enum Course {
     Uniform(Vec<Id>),
     /// It rotates; the center of mass of a free joint moves on a parabola.
     Turning(Rotation, Option<Center>),
+    /// It turns on a pendulum, against its swing.
+    Counter(Counter),
+}
+
+/// A hinge whose angle has a constant acceleration together with that of a pendulum.
+pub struct Counter {
+    /// The joint of the pendulum.
+    pub swing: usize,
+    /// Its rate of small oscillations, and where it hangs.
+    pub pendulum: [Id; 2],
+    /// Whether the pendulum moves, too.
+    pub translates: bool,
+    /// Whether it turns about the opposite direction.
+    pub is_opposite: bool,
+    /// Of both angles together.
+    pub acceleration: Id,
 }
 
 /// The motion of the center of mass of everything that a free joint carries.
@@ -64,6 +80,35 @@ impl Moving<'_> {
             }
             _ => None,
         }
+    }
+
+    /// Its motion, if it is that of a hinge on one of these pendulums.
+    pub fn counter(&self, work: &mut Workspace, courses: &[Option<Course>]) -> Option<Counter> {
+        let [own] = *self.accelerations() else {
+            return None;
+        };
+        self.joint().coordinates.get(Variable::Angle, 0)?;
+        courses.iter().enumerate().find_map(|(swing, course)| {
+            let Some(Course::Turning(Rotation::Pendulum { rate, hanging }, center)) = course else {
+                return None;
+            };
+            let its = *self.equations.accelerations[swing].last()?;
+            [false, true].into_iter().find_map(|is_opposite| {
+                let graph = &mut work.graph;
+                let total = if is_opposite {
+                    graph.subtract(own, its)
+                } else {
+                    graph.add(own, its)
+                };
+                Some(Counter {
+                    swing,
+                    pendulum: [*rate, *hanging],
+                    translates: center.is_some(),
+                    is_opposite,
+                    acceleration: constants(work, &[total])?[0],
+                })
+            })
+        })
     }
 
     fn joint(&self) -> &TreeJoint {
@@ -188,12 +233,27 @@ impl Moving<'_> {
             .flatten()
     }
 
-    /// The axes about which it may be symmetric: those of its rotors, and its own.
+    /// The axes about which it may be symmetric: those of all rotors that it carries, where the
+    /// coordinates between are zero, and its own.
     fn axes(&self, work: &mut Workspace) -> Vec<Components> {
-        let joints = self.system.joints.iter();
-        let on_it = joints.filter(|joint| joint.carrier == Some(self.joint().carried));
-        let rotors = on_it.filter(|joint| joint.turned.is_empty());
-        let directions = rotors.filter_map(|joint| joint.directions.first().copied());
-        directions.chain(work.graph.unit_vectors()).collect()
+        let (joints, body) = (&self.system.joints, self.body());
+        let mut axes = Vec::new();
+        for joint in joints {
+            if joint.carrier.is_none() || self.system.root(joint.carried) != self.number {
+                continue;
+            }
+            let Some(direction) = joint.directions.first() else {
+                continue;
+            };
+            let frame = self.system.bodies[joint.carried].state.body;
+            let axis = work.vector(frame, *direction);
+            let axis = work.components(axis, body);
+            let axis = at_rest(work, &axis, |_| false);
+            if work.graph.are_early(&axis) {
+                axes.push([axis[0], axis[1], axis[2]]);
+            }
+        }
+        axes.extend(work.graph.unit_vectors());
+        axes
     }
 }

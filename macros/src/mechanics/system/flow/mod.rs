@@ -5,5 +5,5 @@ mod course;
 mod obstacles;
 mod output;
 
-pub use course::Course;
+pub use course::{Counter, Course};
 pub use output::{SystemFlow, derive_system_flow};

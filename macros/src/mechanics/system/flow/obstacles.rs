@@ -1,16 +1,19 @@
 //! Obstacles to a closed form.
 
+use crate::mechanics::answers::parts;
 use crate::mechanics::closed_forms::dependence;
+use crate::mechanics::proofs::all_vanish;
+use crate::mechanics::tree::{Pair, along_freedoms, wrench};
 use crate::model::{System, TreeJoint, Variable, Workspace};
 use crate::symbolic::Id;
 
-use crate::mechanics::system::equations::{SystemEquations, loads};
+use crate::mechanics::system::equations::SystemEquations;
 
 /// Joints without a closed form, and the reasons.
 pub struct Obstacles<'a> {
     pub system: &'a System,
     pub equations: &'a SystemEquations,
-    pub work: &'a Workspace,
+    pub work: &'a mut Workspace,
     /// By number.
     pub failing: Vec<usize>,
 }
@@ -23,9 +26,10 @@ pub const CHANGING: &str =
     "no closed form: mass and inertia change; leave out `flow`, and the motion is integrated";
 
 impl Obstacles<'_> {
-    /// One for everything that a joint to the ground carries.
-    pub fn all(&self) -> Vec<String> {
-        let mut roots: Vec<usize> = self.failing.iter().map(|joint| self.root(*joint)).collect();
+    /// One for all that one joint to the ground carries.
+    pub fn all(&mut self) -> Vec<String> {
+        let roots = self.failing.iter().map(|joint| self.system.root(*joint));
+        let mut roots: Vec<usize> = roots.collect();
         roots.sort_unstable();
         roots.dedup();
         let mut all: Vec<String> = roots.into_iter().map(|root| self.of_tree(root)).collect();
@@ -33,19 +37,14 @@ impl Obstacles<'_> {
         all
     }
 
-    fn root(&self, mut joint: usize) -> usize {
-        while let Some(carrier) = self.system.joints[joint].carrier {
-            joint = carrier;
-        }
-        joint
-    }
-
-    fn of_tree(&self, root: usize) -> String {
+    fn of_tree(&mut self, root: usize) -> String {
         let failing = self.failing.iter().copied();
-        let failing: Vec<usize> = failing.filter(|joint| self.root(*joint) == root).collect();
+        let failing: Vec<usize> = failing
+            .filter(|joint| self.system.root(*joint) == root)
+            .collect();
         let found = |joint: &usize| &self.equations.accelerations[*joint][..];
         let accelerations: Vec<Id> = failing.iter().flat_map(found).copied().collect();
-        if let Some(load) = self.changing(&accelerations) {
+        if let Some(load) = self.changing(root, &accelerations) {
             return load;
         }
         if let Some(gyrostat) = self.gyrostat(root) {
@@ -69,10 +68,10 @@ impl Obstacles<'_> {
     fn gyrostat(&self, root: usize) -> Option<String> {
         let joints = &self.system.joints;
         let carried = self.system.written.iter().filter(|joint| **joint != root);
-        let carried = carried.filter(|joint| self.root(**joint) == root);
+        let carried = carried.filter(|joint| self.system.root(**joint) == root);
         let carried: Vec<&TreeJoint> = carried.map(|joint| &joints[*joint]).collect();
         let has = |joint: &TreeJoint, variable| joint.coordinates.get(variable, 0).is_some();
-        let are_rotors = carried.iter().all(|joint| has(joint, Variable::Angle));
+        let are_rotors = carried.iter().all(|joint| self.is_rotor(root, joint));
         if carried.is_empty() || !are_rotors || !has(&joints[root], Variable::Quaternion) {
             return None;
         }
@@ -92,17 +91,49 @@ impl Obstacles<'_> {
         })
     }
 
-    /// The first load that is not constant, of those that affect these accelerations.
-    fn changing(&self, accelerations: &[Id]) -> Option<String> {
-        let known = self.work.graph.reachable(accelerations, |_| true);
-        let loads = loads(self.system, self.work).into_iter();
-        let mut changing = loads.filter_map(|(name, parts)| {
-            let symbols = self.work.graph.reachable(&parts, |_| true).into_iter();
-            let mut late = symbols.filter(|id| !self.work.graph.is_early(*id));
+    /// Whether a joint turns without a change of what carries it.
+    fn is_rotor(&self, root: usize, joint: &TreeJoint) -> bool {
+        let (graph, found) = (&self.work.graph, &self.equations.accelerations[root]);
+        let angle = joint.coordinates.get(Variable::Angle, 0);
+        angle.is_some_and(|angle| !graph.depends_on(found, |id| id == angle))
+    }
+
+    /// The first load that is not constant, of those that have a part in these accelerations.
+    fn changing(&mut self, root: usize, accelerations: &[Id]) -> Option<String> {
+        let loads = self.acting(root);
+        let graph = &self.work.graph;
+        let known = graph.reachable(accelerations, |_| true);
+        loads.into_iter().find_map(|(name, parts)| {
+            let symbols = graph.reachable(&parts, |_| true).into_iter();
+            let mut late = symbols.filter(|id| !graph.is_early(*id));
             let acts = late.any(|id| self.work.meaning(id).is_some() && known.contains(&id));
             let word = dependence(self.work, &parts);
             acts.then(|| format!("the load `{name}` depends on {word}, and is not constant"))
-        });
-        changing.next()
+        })
+    }
+
+    /// The loads with a part along a coordinate of what a joint to the ground carries, and the
+    /// drives there.
+    fn acting(&mut self, root: usize) -> Vec<(String, Vec<Id>)> {
+        let (mut acting, mut driving) = (Vec::new(), Vec::new());
+        let (system, built) = (self.system, &self.equations.built);
+        for (number, (body, joint)) in system.bodies.iter().zip(&system.joints).enumerate() {
+            if system.root(number) != root {
+                continue;
+            }
+            for load in &body.loads {
+                let (linear, angular) = wrench(self.work, body, [load], joint.pin);
+                let load_here = Pair { angular, linear };
+                let graph = &mut self.work.graph;
+                let along = along_freedoms(graph, &built.tree, built.body(number), load_here);
+                if !all_vanish(self.work, &along) {
+                    acting.push(parts(load, self.work));
+                }
+            }
+            let drives = joint.driven_by.iter();
+            driving.extend(drives.map(|(name, parts)| (name.to_string(), parts.clone())));
+        }
+        acting.extend(driving);
+        acting
     }
 }

@@ -35,15 +35,21 @@ pub fn derive_system_flow(
         return errors.report(place, CHANGING);
     }
     let mut courses: Vec<Option<Course>> = (0..system.joints.len()).map(|_| None).collect();
+    let moving = |number: usize| Moving {
+        system,
+        equations,
+        number,
+    };
     for number in &system.written {
-        let moving = Moving {
-            system,
-            equations,
-            number: *number,
-        };
-        courses[*number] = moving.course(work);
+        courses[*number] = moving(*number).course(work);
     }
-    let obstacles = Obstacles {
+    for number in &system.written {
+        if courses[*number].is_none() {
+            let counter = moving(*number).counter(work, &courses);
+            courses[*number] = counter.map(Course::Counter);
+        }
+    }
+    let mut obstacles = Obstacles {
         system,
         equations,
         work,
@@ -81,6 +87,9 @@ impl SystemFlow {
         let lines = self.joints.iter().map(|(name, _, course)| {
             let motion = match course {
                 Course::Uniform(_) => "at constant acceleration".to_owned(),
+                Course::Counter(_) => {
+                    "its angle and that of a pendulum together are quadratic in time".to_owned()
+                }
                 Course::Turning(rotation, center) => {
                     let center = center.as_ref();
                     let center = center.map(|_| "the center of mass moves on a parabola");

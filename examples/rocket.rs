@@ -5,8 +5,8 @@
 //! momentum (the moment `-flow l^2 w` of jet damping, and the moment `-J' w` for the share of the
 //! fuel in the tank).
 //!
-//! Asserts: velocity and height are those of Tsiolkovsky; the remaining rotation rate is a power of
-//! the mass ratio.
+//! Asserts: velocity and height are those of Tsiolkovsky; the events of burnout and apogee are at
+//! the times in closed form; the remaining rotation rate is a power of the mass ratio.
 
 use newton_euler::nalgebra::Vector3;
 use newton_euler::prelude::*;
@@ -36,6 +36,24 @@ rigid_body!(Rocket {
     outputs: [energy, momentum],
 });
 
+/// Height and time of the apogee: up to burnout, and on without thrust.
+fn coast(rocket: &Rocket, start: &RocketState) -> (f64, f64) {
+    let mut empty = (rocket.integrate(start)).events(30.0, |_, rocket| rocket.fuel);
+    let burnout = empty.next().expect("it burns out").expect("it flies");
+    assert!((burnout.time - 30.0 / 1.5).abs() < 1e-9);
+    let params = RocketParams {
+        flow: 0.0,
+        ..*rocket.params()
+    };
+    let coasting = Rocket::new(params).expect("a possible body");
+    let motion = (coasting.integrate(&burnout.state)).starting_at(burnout.time);
+    let mut level = motion.events(1000.0, |_, rocket| rocket.motion.velocity.z);
+    let apogee = level.next().expect("it falls").expect("it flies");
+    let known = burnout.time + burnout.state.motion.velocity.z / 9.80665;
+    assert!((apogee.time - known).abs() < 1e-6);
+    (apogee.state.motion.position.z, apogee.time)
+}
+
 fn main() {
     let rocket = Rocket::default();
     let start = RocketState {
@@ -57,7 +75,10 @@ fn main() {
             v - velocity,
             z - height
         );
+        assert!((v - velocity).abs() < 1e-6 && (z - height).abs() < 1e-5);
     }
+    let apogee = coast(&rocket, &start);
+    println!("apogee {:.3} m, after {:.3} s", apogee.0, apogee.1);
 
     let turning = RocketState {
         motion: Spatial {
@@ -73,6 +94,7 @@ fn main() {
         "\nof a turn of 0.01 rad/s jet damping leaves {:.9} rad/s, the closed form {left:.9}",
         end.motion.angular_velocity.x
     );
+    assert!((end.motion.angular_velocity.x - left).abs() < 1e-9);
     let ended = rocket.integrate(&start).to(60.0).expect_err("it runs out");
     println!("{ended}");
 }

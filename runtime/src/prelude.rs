@@ -14,7 +14,7 @@ pub use crate::integrate::Integrate;
 #[doc(no_inline)]
 pub use crate::integrate::Sample;
 #[doc(no_inline)]
-pub use crate::linearization::{Linearization, Linearized, Sensitivity, Trim};
+pub use crate::linearization::{ByParams, Linearization, Linearized, Sensitivity, Trim};
 #[doc(no_inline)]
 pub use crate::load::{Family, Load, PlanarLoad};
 pub use crate::state::{

@@ -186,7 +186,7 @@ fn a_free_body_with_constant_loads() {
     let counted = operations.next().expect("it was asked for");
     let count = counted.mul + counted.add;
     assert!(
-        count <= 161 && counted.div + counted.sqrt + counted.trig == 0,
+        count <= 141 && counted.div + counted.sqrt + counted.trig == 0,
         "{counted:?}"
     );
 }

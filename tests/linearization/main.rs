@@ -12,6 +12,7 @@ mod own;
 mod rest;
 mod sensitivity;
 mod systems;
+mod textbook;
 mod together;
 mod trim;
 mod trim_of_systems;

@@ -4,6 +4,7 @@
 #![allow(missing_docs, reason = "tests")]
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
+mod bicycle;
 mod car;
 mod driven_pivot;
 mod gyroscope;

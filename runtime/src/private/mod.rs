@@ -10,7 +10,7 @@ pub use crate::bodies::body::{
 pub use crate::bodies::columns::{Columns, Generic, Sink, Source};
 pub use crate::bodies::constrained::{Constrained, Inconsistent, Violation};
 pub use crate::bodies::linearization::{
-    Coordinated, Linearization, Linearized, Place, Sensitivity, place, rates_of_places,
+    ByParams, Coordinated, Linearization, Linearized, Place, Sensitivity, place, rates_of_places,
 };
 pub use crate::bodies::operations::{Operations, Stage};
 pub use crate::bodies::structure::{Dependence, Structure, Structured, Symmetry};

@@ -232,7 +232,7 @@ mod tests {
             body.params = vec![Param::Scalar(Literal::new(0, 0))];
             body.constraints.clear();
             body.loads.clear();
-            let constants = Constants::new(&body, vec![1.0 + x]);
+            let constants = Constants::new(&body, &[1.0 + x]);
             let given = given::Given {
                 params: vec![1.0 + x],
                 state: vec![1.0; layout::Layout::of(&body.motion).len()],

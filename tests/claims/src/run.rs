@@ -137,7 +137,7 @@ fn refusal(body: &Body, seed: u64, index: usize, text: &str, mistakes: &str) -> 
     let mut source = Source::new(random(seed, index), text);
     for _ in 0..STATES * SETS {
         let params = source.params(body);
-        let constants = Constants::new(body, params.clone());
+        let constants = Constants::new(body, &params);
         if !is_possible(body, &constants) {
             continue;
         }

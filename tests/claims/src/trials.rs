@@ -59,7 +59,7 @@ pub fn refuted(
     let sets = if body.params.is_empty() { 1 } else { SETS };
     for _ in 0..sets {
         let params = source.params(body);
-        let constants = Constants::new(body, params.clone());
+        let constants = Constants::new(body, &params);
         if !is_possible(body, &constants) {
             continue;
         }

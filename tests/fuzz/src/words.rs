@@ -5,14 +5,16 @@ use proc_macro2::{Ident, Literal, Punct, Spacing, Span, TokenTree};
 
 /// Keys, kinds of motion, functions, units and built-in names.
 const LANGUAGE: &str = "doc motion mass inertia params inputs points locals forces moments joint_forces joint_moments reactions \
-    constraints fields potentials outputs pole checks \
+    constraints fields potentials outputs pole checks constants functions states rates urdf mjcf locked \
     planar planar_translation pivot spatial translation rotation fixed_point fixed_axis rod \
     principal tensor products about compose cuboid cylinder sphere cone tube shell disc ellipsoid torus hole turned \
     at on moment world body in_body in_world position velocity attitude angular_velocity t G PI TAU \
     dot cross norm norm_squared normalize powi powf sqrt cbrt sin cos tan asin acos atan atan2 exp ln tanh abs signum floor ceil \
     min max clamp hypot recip x y z xx yy zz xy yz zx if else \
     bodies joints drives copies drawing zero_pose revolute prismatic cylindrical screw universal spherical weld cable free on between angle angle_1 angle_2 \
-    energy momentum reactions balance checks given turned linearization sensitivity regressor flow taylor inverse kg m s N J W rad deg inch mm lb slug ft K A C V Pa Hz";
+    table cubic extrapolated derivatives moving acceleration angular_acceleration link pin_in_slot driven armature along \
+    kinetic_energy potential_energy linear_momentum angular_momentum force moment \
+    energy momentum reactions balance checks given turned linearization sensitivity regressor constant mass_matrix jacobian flow taylor inverse kg m s N J W rad deg inch mm lb slug ft K A C V Pa Hz";
 /// Words that mean something to Rust, or nothing to anybody.
 const OTHERS: &str = "a b c tip arm load k u v self Self super crate type in box fn as let mut match loop while unsafe union dyn yield \
     async await try macro_rules _ __ _a PI2 é Ω 質量 ñandú main core std f64 i32 r#x r#type r#mass r#if T AnyScalar";

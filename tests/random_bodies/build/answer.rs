@@ -40,6 +40,20 @@ fn answer(body: &Body) -> String {
     };
     let [state, accelerations, motion] = stated(body);
     let own = body.rates.len();
+    let sensitivity = if body.params.is_empty() {
+        ""
+    } else {
+        "answers.sensitivity(&body.sensitivity(given.time, &state, &input).by_params());"
+    };
+    let regressor = if body.changes {
+        String::new()
+    } else {
+        let (forces, moments) = body.regressor_rows();
+        format!(
+            "answers.regressor(&body.regressor(given.time, &state, &motion, &input), \
+             &body.inertial_parameters(), [{forces}, {moments}]);"
+        )
+    };
     format!(
         "pub fn answer(given: &Given, answers: &mut Answers) {{
 {make}
@@ -53,7 +67,9 @@ answers.loads(&body.applied(given.time, &state, &input), &body.loads(given.time,
 {motion}
 answers.residual(&body.residual(given.time, &state, &motion, &reactions, &input));
 {invert}
+{regressor}
 answers.linearization(&body.linearize(given.time, &state, &input).a(), {own});
+{sensitivity}
 }}
 "
     )

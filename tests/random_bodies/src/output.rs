@@ -25,10 +25,13 @@ pub enum Output {
     ResidualForce,
     ResidualMoment,
     Rate,
+    RegressorForce,
+    RegressorMoment,
+    Parameter,
 }
 
 impl Output {
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 21] = [
         Self::LinearAcceleration,
         Self::AngularAcceleration,
         Self::AxisAcceleration,
@@ -47,6 +50,9 @@ impl Output {
         Self::ResidualForce,
         Self::ResidualMoment,
         Self::Rate,
+        Self::RegressorForce,
+        Self::RegressorMoment,
+        Self::Parameter,
     ];
 
     /// Whether it is a moment, or has the direction of one.
@@ -84,6 +90,9 @@ impl fmt::Display for Output {
             Self::ResidualForce => "residual force",
             Self::ResidualMoment => "residual moment",
             Self::Rate => "rate of a state",
+            Self::RegressorForce => "force by a parameter",
+            Self::RegressorMoment => "moment by a parameter",
+            Self::Parameter => "inertial parameter",
         })
     }
 }
@@ -92,7 +101,8 @@ impl fmt::Display for Output {
 #[derive(Debug, Default)]
 pub struct Answers {
     pub list: Vec<(Output, usize, [f64; 3])>,
-    /// The rows of the accelerations and of the rates in a linearisation, by columns of the state.
+    /// The rows of the accelerations and of the rates in a linearisation, by columns of the state,
+    /// and behind them by columns of the parameters.
     pub derivatives: Vec<Vec<f64>>,
     /// Whether `new` refused the parameters.
     pub refused: bool,
@@ -131,6 +141,38 @@ impl Answers {
         let first = (N - own) / 2;
         let rows = (first..N).map(|row| a.row(row).iter().copied().collect());
         self.derivatives = rows.collect();
+    }
+
+    pub fn sensitivity<const N: usize, const P: usize>(&mut self, by_params: &SMatrix<f64, N, P>) {
+        for (row, more) in self.derivatives.iter_mut().zip(by_params.row_iter()) {
+            row.extend(more.iter());
+        }
+    }
+
+    /// Columns of forces, of moments, or of both, of which forces come first.
+    pub fn regressor<const R: usize, const C: usize>(
+        &mut self,
+        columns: &SMatrix<f64, R, C>,
+        parameters: &SMatrix<f64, C, 1>,
+        [forces, moments]: [usize; 2],
+    ) {
+        for (index, column) in columns.column_iter().enumerate() {
+            let rows: Vec<f64> = column.iter().copied().collect();
+            assert_eq!(rows.len(), forces + moments);
+            let (first, second) = rows.split_at(forces);
+            for (output, rows) in [
+                (Output::RegressorForce, first),
+                (Output::RegressorMoment, second),
+            ] {
+                if !rows.is_empty() {
+                    let part = |i: usize| rows.get(i).copied().unwrap_or_default();
+                    self.list.push((output, index, [0, 1, 2].map(part)));
+                }
+            }
+        }
+        for (index, parameter) in parameters.iter().enumerate() {
+            self.tell(Output::Parameter, index, parameter);
+        }
     }
 
     pub fn rate(&mut self, index: usize, rate: f64) {

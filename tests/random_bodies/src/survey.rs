@@ -61,7 +61,7 @@ impl Survey {
         for run in runs {
             let mut random = states::of_run(seed, index, run);
             states::draw_params(&mut random, &body, &mut given);
-            let constants = Constants::new(&body, given.params.clone());
+            let constants = Constants::new(&body, &given.params);
             if body.motion.turns() && !body.motion.is_planar() {
                 let condition = constants.inertia.condition();
                 if condition.is_finite() {

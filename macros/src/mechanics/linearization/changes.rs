@@ -67,14 +67,40 @@ pub fn changes(
     let forwards = all(work, &|work, direction| {
         variation::changes(work, &roots, &leaves, direction)
     });
-    let cost = |changes: &Changes| {
-        let entries = changes.iter().flat_map(|(_, changes)| changes.concat());
-        let entries: Vec<Id> = accelerations.iter().copied().chain(entries).collect();
-        work.graph.late_cost(&entries).total()
-    };
-    if cost(&forwards) < cost(&backwards) {
+    let [backwards, forwards] =
+        [backwards, forwards].map(|changes| multiplied_out(work, accelerations, changes));
+    if cost(work, accelerations, &forwards) < cost(work, accelerations, &backwards) {
         forwards
     } else {
         backwards
     }
+}
+
+/// The operations of the derivatives together with the accelerations.
+fn cost(work: &Workspace, accelerations: &[Id], changes: &Changes) -> u32 {
+    let entries = changes.iter().flat_map(|(_, changes)| changes.concat());
+    let entries: Vec<Id> = accelerations.iter().copied().chain(entries).collect();
+    work.graph.late_cost(&entries).total()
+}
+
+/// Accelerations that are quadratic have derivatives that are linear: these are multiplied out,
+/// group by group, where that takes fewer operations.
+fn multiplied_out(work: &mut Workspace, accelerations: &[Id], mut changes: Changes) -> Changes {
+    let mut least = cost(work, accelerations, &changes);
+    for group in 0..changes.len() {
+        let mut tried = changes.clone();
+        for change in &mut tried[group].1 {
+            for entry in change {
+                *entry = work.graph.affine(*entry).unwrap_or(*entry);
+            }
+        }
+        if tried == changes {
+            continue;
+        }
+        let cost = cost(work, accelerations, &tried);
+        if cost < least {
+            (least, changes) = (cost, tried);
+        }
+    }
+    changes
 }

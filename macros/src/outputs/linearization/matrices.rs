@@ -83,7 +83,8 @@ impl Space {
             }
             Column::Param(number) => {
                 let (name, size) = &self.params[number];
-                (name, *size, 0)
+                let at = self.params[..number].iter().map(|(_, size)| size).sum();
+                (name, *size, at)
             }
         };
         Placed {
@@ -127,24 +128,7 @@ impl Space {
 
     /// What the coordinates and the components of inputs are called.
     fn names(&self) -> [Vec<String>; 2] {
-        let spread = |name: &str, size: usize| {
-            let name = name.trim_start_matches("r#").to_owned();
-            let parts = (0..size).map(|part| match size {
-                1 => name.clone(),
-                _ => format!("{name}_{}", AXES[part]),
-            });
-            parts.collect::<Vec<_>>()
-        };
-        let state = self.state.iter();
-        let inputs = self.inputs.iter();
-        [
-            state
-                .flat_map(|group| spread(&group.name, group.size))
-                .collect(),
-            inputs
-                .flat_map(|(name, size)| spread(name, *size))
-                .collect(),
-        ]
+        [of_groups(&self.state), of_declared(&self.inputs)]
     }
 
     /// Which entries of A and B may be other than zero.
@@ -192,15 +176,7 @@ impl Space {
         let (matrix, places) = (local("matrix"), Literal::usize_unsuffixed(self.places()));
         let filled = |is_of_input: bool| {
             let blocks = blocks.iter().filter(|one| one.is_of_input == is_of_input);
-            let placed = blocks.map(|one| {
-                let name = &one.name;
-                let [row, column] = one.at.map(Literal::usize_unsuffixed);
-                if one.size == [1, 1] {
-                    quote!(#matrix[(#row, #column)] = self.#name;)
-                } else {
-                    quote!(#private::place(&mut #matrix, [#row, #column], &self.#name);)
-                }
-            });
+            let placed = blocks.map(|one| one.put(site, 0));
             quote!(#(#placed)*)
         };
         let (a, b) = (filled(false), filled(true));
@@ -228,12 +204,75 @@ impl Space {
     }
 }
 
+impl Space {
+    /// `impl ByParams<RATES, PARAMS> for BodySensitivity`.
+    pub fn by_params_matrix(&self, site: &Site<'_>, blocks: &[Placed]) -> TokenStream {
+        let private = &site.shapes.private;
+        let kind = site.own_type("Sensitivity");
+        let [rates, params] = [of_groups(&self.accelerations), of_declared(&self.params)];
+        let [rows, columns] = [&rates, &params].map(|names| Literal::usize_unsuffixed(names.len()));
+        let matrix = local("matrix");
+        let placed: Vec<TokenStream> = blocks
+            .iter()
+            .map(|one| one.put(site, self.places()))
+            .collect();
+        let mutable = (!placed.is_empty()).then(|| quote!(mut));
+        quote! {
+            impl #private::ByParams<#rows, #columns> for #kind {
+                const RATES: [&'static str; #rows] = [#(#rates),*];
+                const PARAMS: [&'static str; #columns] = [#(#params),*];
+
+                fn by_params(&self) -> #private::SMatrix<f64, #rows, #columns> {
+                    let #mutable #matrix = #private::SMatrix::zeros();
+                    #(#placed)*
+                    #matrix
+                }
+            }
+        }
+    }
+}
+
+/// What the components of groups are called.
+fn of_groups(groups: &[Group]) -> Vec<String> {
+    let groups = groups.iter();
+    groups
+        .flat_map(|group| spread(&group.name, group.size))
+        .collect()
+}
+
+/// The same of inputs and parameters.
+fn of_declared(declared: &[(String, usize)]) -> Vec<String> {
+    let declared = declared.iter();
+    declared
+        .flat_map(|(name, size)| spread(name, *size))
+        .collect()
+}
+
+fn spread(name: &str, size: usize) -> impl Iterator<Item = String> {
+    let name = name.trim_start_matches("r#").to_owned();
+    (0..size).map(move |part| match size {
+        1 => name.clone(),
+        _ => format!("{name}_{}", AXES[part]),
+    })
+}
+
 /// How many components groups have together.
 fn components(groups: &[Group]) -> usize {
     groups.iter().map(|group| group.size).sum()
 }
 
 impl Placed {
+    /// Puts the block of `self` into a matrix that begins with this row.
+    fn put(&self, site: &Site<'_>, first: usize) -> TokenStream {
+        let (private, name, matrix) = (&site.shapes.private, &self.name, local("matrix"));
+        let [row, column] = [self.at[0] - first, self.at[1]].map(Literal::usize_unsuffixed);
+        if self.size == [1, 1] {
+            quote!(#matrix[(#row, #column)] = self.#name;)
+        } else {
+            quote!(#private::place(&mut #matrix, [#row, #column], &self.#name);)
+        }
+    }
+
     pub fn kind(&self, shapes: &Shapes) -> TokenStream {
         match self.size {
             [1, 1] => shapes.scalar.kind(),

@@ -60,6 +60,9 @@ impl<S: Subject> Output<S> for Sensitivity {
                 site.outline.name
             ),
         };
-        emitted(site, self.0.as_ref(), &blocks, words)
+        let mut addition = emitted(site, self.0.as_ref(), &blocks, words);
+        let matrix = space.by_params_matrix(&site.double(), &blocks);
+        addition.implementations.extend(matrix);
+        addition
     }
 }

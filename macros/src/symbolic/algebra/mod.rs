@@ -1,5 +1,6 @@
 //! Computations over nodes, in numbers of any kind: values, changes, substitution.
 
+mod affine;
 pub mod chain_rule;
 mod evaluate;
 mod exact;

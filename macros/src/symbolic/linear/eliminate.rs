@@ -23,14 +23,16 @@ enum Kind {
     Number,
     EarlySquares,
     Squares,
+    /// It may vanish, but does not where others vanish: the slopes of closed loops among these.
+    Masses,
     /// It may vanish in some state or for some parameters, or is small compared with others.
     Unsafe,
 }
 
 impl Kind {
-    /// Whether it is large in all states.
+    /// Whether it is large in all states, or comes before all that is not.
     fn is_safe(self) -> bool {
-        self <= Self::Squares
+        self <= Self::Masses
     }
 }
 
@@ -116,6 +118,7 @@ impl System<'_> {
             (Some(_), _) => Kind::Number,
             (None, Size::Squares) if is_early => Kind::EarlySquares,
             (None, Size::Squares) => Kind::Squares,
+            (_, Size::Masses) => Kind::Masses,
             _ => Kind::Unsafe,
         }
     }

@@ -13,6 +13,8 @@ pub enum Size {
     Product(Id),
     /// It is compared with the largest of its terms.
     Terms,
+    /// The same; it is a mass, to which loads may have added: it is divided by before what is beside.
+    Masses,
     /// The same; and as a pivot, it would make remaining sums of squares lose their positivity.
     Beside,
     /// Once all sums of squares are eliminated it is minus one, and remains negative if others are

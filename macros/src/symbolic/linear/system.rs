@@ -88,7 +88,7 @@ impl System<'_> {
         let size = match self.rows[row].sizes[column] {
             Size::Squares | Size::Reduced => self.written[row][column],
             Size::Product(size) => size,
-            Size::Terms | Size::Beside => {
+            Size::Terms | Size::Masses | Size::Beside => {
                 self.graph.largest_term(self.rows[row].coefficients[column])
             }
         };

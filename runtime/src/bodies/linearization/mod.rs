@@ -33,6 +33,6 @@ pub use coordinated::Coordinated;
 pub use matrices::{Linearization, Linearized, place, rates_of_places};
 pub use modes::{Mode, Modes};
 pub use place::Place;
-pub use sensitivity::Sensitivity;
+pub use sensitivity::{ByParams, Sensitivity};
 pub use trim::{Search, Trim, Trimmed};
 pub use trim_error::{Off, TrimError};

@@ -1,5 +1,7 @@
 //! Derivatives of accelerations by parameters.
 
+use nalgebra::SMatrix;
+
 use crate::bodies::body::RigidBody;
 
 /// The first derivatives of the accelerations by parameters, `outputs: [sensitivity]`.
@@ -24,6 +26,9 @@ use crate::bodies::body::RigidBody;
 /// assert!((found.acceleration - pull * 0.5 / square).abs() < 1e-14);
 /// assert!((found.angular_by_arm - pull * (0.04 - 0.25) / square.powi(2)).abs() < 1e-13);
 /// assert!((found.angular_by_radius + pull * 0.5 * 0.4 / square.powi(2)).abs() < 1e-13);
+/// // all of them, in columns
+/// assert_eq!(PendulumSensitivity::PARAMS, ["arm", "radius"]);
+/// assert_eq!(found.by_params()[(0, 1)], found.angular_by_radius);
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `sensitivity`",
@@ -34,7 +39,7 @@ pub trait Sensitivity: RigidBody {
     /// A struct of the acceleration and of all blocks that are not zero in all states:
     /// `linear_by_area`, for a system `elbow_angular_by_length`. A block is a number, or a matrix
     /// with a row for each component of the acceleration and a column for each component of a
-    /// vector parameter.
+    /// vector parameter. The struct is [`ByParams`].
     type Sensitivity;
 
     /// The derivatives in this state, with state and input held. At a kink of the motion
@@ -45,4 +50,16 @@ pub trait Sensitivity: RigidBody {
         state: &Self::State,
         input: &Self::Input,
     ) -> Self::Sensitivity;
+}
+
+/// A sensitivity as a matrix, in doubles.
+pub trait ByParams<const RATES: usize, const PARAMS: usize> {
+    /// The names of the accelerations: `linear_x`, `elbow_angular`, and of the user-defined states
+    /// whose rates follow.
+    const RATES: [&'static str; RATES];
+    /// The names of the components of the parameters.
+    const PARAMS: [&'static str; PARAMS];
+
+    /// A column for each component of the parameters, with zeros where there is no block.
+    fn by_params(&self) -> SMatrix<f64, RATES, PARAMS>;
 }

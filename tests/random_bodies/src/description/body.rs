@@ -13,6 +13,10 @@ pub struct Body {
     pub rates: Vec<Scalar>,
     /// Whether it has constants and functions of Rust, states of its own and tables.
     pub is_rich: bool,
+    /// Whether mass and inertia change.
+    pub changes: bool,
+    /// Whether loads follow accelerations.
+    pub follows: bool,
     /// Absent beside `compose`, and where G does not move.
     pub mass: Option<Scalar>,
     pub inertia: Option<Inertia>,
@@ -219,6 +223,18 @@ impl Body {
             Motion::Rotation | Motion::FixedPoint(_) | Motion::Translation | Motion::Planar => 3,
             Motion::PlanarTranslation => 2,
             Motion::Pivot(_) | Motion::FixedAxis(..) => 1,
+        }
+    }
+
+    /// How many rows of forces, and of moments, a regressor has.
+    pub fn regressor_rows(&self) -> (usize, usize) {
+        match self.motion {
+            Motion::Spatial | Motion::Rod(_) => (3, 3),
+            Motion::Rotation | Motion::FixedPoint(_) => (0, 3),
+            Motion::Translation => (3, 0),
+            Motion::Planar => (2, 1),
+            Motion::PlanarTranslation => (2, 0),
+            Motion::Pivot(_) | Motion::FixedAxis(..) => (0, 1),
         }
     }
 

@@ -29,6 +29,7 @@ pub fn body(seed: u64, index: usize) -> Body {
     draw.mass_and_inertia();
     draw.locals();
     draw.loads();
+    draw.following(index);
     draw.own_rates();
     draw.pole();
     draw.body
@@ -57,6 +58,8 @@ impl Draw {
                 inputs: Vec::new(),
                 rates: Vec::new(),
                 is_rich: false,
+                changes: false,
+                follows: false,
                 mass: None,
                 inertia: None,
                 points: Vec::new(),

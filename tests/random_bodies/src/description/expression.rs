@@ -20,14 +20,18 @@ pub enum Scalar {
     Constant,
     /// A function of Rust.
     Called(Box<Scalar>),
-    /// A table at a scalar: places and values, and whether it goes on beyond them.
-    Table(Box<Scalar>, Vec<[Literal; 2]>, bool),
+    /// A table at a scalar: places and values.
+    Table(Box<Scalar>, Vec<[Literal; 2]>, Course),
+    /// A table at two scalars.
+    Grid(Box<[Scalar; 2]>, Box<Grid>, Course),
     Time,
     Mass,
     /// In the plane.
     Angle,
     /// In the plane.
     AngularRate,
+    /// In the plane.
+    AngularAcceleration,
     /// A component of an unknown load, world axes.
     Reaction(usize, usize),
     /// One of w, i, j, k, in space.
@@ -47,6 +51,20 @@ pub enum Scalar {
     Power(Box<Scalar>, i32),
     Binary(Binary, Box<Scalar>, Box<Scalar>),
     If(Box<Condition>, Box<Scalar>, Box<Scalar>),
+}
+
+/// How a table goes between its places and beyond them.
+#[derive(Clone, Copy, Debug)]
+pub struct Course {
+    pub is_cubic: bool,
+    pub is_extrapolated: bool,
+}
+
+/// The places of both scalars, and a row of values for each place of the first.
+#[derive(Clone, Debug)]
+pub struct Grid {
+    pub places: [Vec<Literal>; 2],
+    pub values: Vec<Vec<Literal>>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,6 +118,11 @@ pub enum Vector {
     Velocity,
     /// In space.
     AngularVelocity,
+    /// Of G.
+    Acceleration,
+    /// In space.
+    AngularAcceleration,
+    PointAcceleration(Place),
     /// Of a rod.
     Axis,
     /// Of a rod.

@@ -4,6 +4,7 @@ pub mod body;
 pub mod constraints;
 pub mod draw;
 pub mod expression;
+mod following;
 pub mod gates;
 pub mod inertia;
 pub mod literal;

@@ -2,7 +2,7 @@
 
 use super::body::Inertia;
 use super::draw::Draw;
-use super::expression::Scalar;
+use super::expression::{Course, Grid, Scalar};
 use super::literal::Literal;
 
 impl Draw {
@@ -35,14 +35,32 @@ impl Draw {
         if self.random.bool() {
             return Scalar::Called(Box::new(inner));
         }
-        let count = self.random.i64(2..=6);
+        let course = Course {
+            is_cubic: self.random.bool(),
+            is_extrapolated: self.random.bool(),
+        };
+        if self.chance(0.6) {
+            let places = self.places(6).into_iter();
+            let rows = places.map(|place| [place, self.between(-4000, 4000)]);
+            return Scalar::Table(Box::new(inner), rows.collect(), course);
+        }
+        let places = [(); 2].map(|()| self.places(4));
+        let [rows, columns] = places.each_ref().map(Vec::len);
+        let row = |draw: &mut Self| (0..columns).map(|_| draw.between(-4000, 4000)).collect();
+        let values = (0..rows).map(|_| row(self)).collect();
+        let other = self.scalar(1);
+        let grid = Grid { places, values };
+        Scalar::Grid(Box::new([inner, other]), Box::new(grid), course)
+    }
+
+    /// Places of a table, one behind the other.
+    fn places(&mut self, most: i64) -> Vec<Literal> {
         let mut place = self.random.i64(-3000..=0);
-        let rows = (0..count).map(|_| {
+        let places = (0..self.random.i64(2..=most)).map(|_| {
             place += self.random.i64(1..=2000);
-            [Literal::new(place, -3), self.between(-4000, 4000)]
+            Literal::new(place, -3)
         });
-        let rows = rows.collect();
-        Scalar::Table(Box::new(inner), rows, self.random.bool())
+        places.collect()
     }
 
     /// Mass and inertia follow a state, as of a body that is uniformly denser.
@@ -51,6 +69,7 @@ impl Draw {
             return;
         }
         let state = Scalar::State(self.random.usize(..self.body.rates.len()));
+        self.body.changes = true;
         let factor = Scalar::literal(1, 0) + Scalar::Power(Box::new(state), 2);
         if let Some(mass) = &mut self.body.mass {
             denser(&factor, mass);

@@ -21,6 +21,12 @@ pub fn description(body: &Body) -> String {
     if of_reactions(false) {
         outputs.push("inverse");
     }
+    if !body.params.is_empty() {
+        outputs.push("sensitivity");
+    }
+    if !body.changes {
+        outputs.push("regressor");
+    }
     format!("newton_euler::rigid_body!({});", described(body, &outputs))
 }
 

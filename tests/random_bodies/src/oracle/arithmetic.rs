@@ -3,33 +3,10 @@
 use std::cell::Cell;
 
 use crate::description::expression::{Binary, Condition, Scalar, Unary};
-use crate::description::literal::Literal;
 use crate::given::CONSTANT;
 
 use super::number::{NEAR, Number};
-
-/// On the line through the two places that it is between, or through the next two.
-fn table(x: Number, rows: &[[Literal; 2]], goes_on: bool) -> Number {
-    let last = rows.len() - 1;
-    let [low, high] = [rows[0][0].nearest(), rows[last][0].nearest()];
-    if !goes_on && x.float() <= low {
-        return Number::known(rows[0][1].value);
-    }
-    if !goes_on && x.float() >= high {
-        return Number::known(rows[last][1].value);
-    }
-    let after = rows[1..last]
-        .iter()
-        .filter(|row| row[0].nearest() < x.float())
-        .count();
-    let [[from, start], [to, end]] = [after, after + 1].map(|row| {
-        rows[row]
-            .each_ref()
-            .map(|literal| Number::known(literal.value))
-    });
-    let slope = (end - start) / (to - from);
-    start + slope * (x - from)
-}
+use super::tables::{grid, table};
 
 /// Where scalars have their values.
 pub trait Values {
@@ -55,7 +32,8 @@ pub trait Values {
                 let x = read(a);
                 x / (Number::ONE + x * x)
             }
-            Scalar::Table(a, rows, goes_on) => table(read(a), rows, *goes_on),
+            Scalar::Table(a, rows, course) => table(read(a), rows, *course),
+            Scalar::Grid(at, values, course) => grid(at.each_ref().map(read), values, *course),
             Scalar::Unary(function, a) => self.unary(*function, read(a)),
             Scalar::Binary(function, a, b) => {
                 let (a, b) = (read(a), read(b));

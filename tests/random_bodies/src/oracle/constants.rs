@@ -15,7 +15,7 @@ use super::vector::dot;
 /// Numbers of a body with its parameters given.
 pub struct Constants<'a> {
     pub body: &'a Body,
-    pub params: Vec<f64>,
+    pub params: Vec<Wide>,
     pub param_offsets: Vec<usize>,
     pub input_offsets: Vec<usize>,
     pub mass: Number,
@@ -44,7 +44,7 @@ pub struct Solved {
 
 /// Scalars that are made of literals and parameters.
 struct Early<'a> {
-    params: &'a [f64],
+    params: &'a [Wide],
     own: &'a [Wide],
     offsets: &'a [usize],
     mass: Option<Number>,
@@ -54,7 +54,7 @@ struct Early<'a> {
 impl Values for Early<'_> {
     fn scalar(&self, scalar: &Scalar) -> Number {
         match scalar {
-            Scalar::Param(i) => Number::given(self.params[self.offsets[*i]]),
+            Scalar::Param(i) => Number::exactly(self.params[self.offsets[*i]]),
             Scalar::State(i) => Number::exactly(self.own[*i]),
             Scalar::Mass => self.mass.expect("the mass is not made of itself"),
             other => self.operation(other),
@@ -67,18 +67,18 @@ impl Values for Early<'_> {
 }
 
 impl<'a> Constants<'a> {
-    pub fn new(body: &'a Body, params: Vec<f64>) -> Self {
-        Self::with_states(body, params, &vec![Wide::ZERO; body.rates.len()])
+    pub fn new(body: &'a Body, params: &[f64]) -> Self {
+        let own = vec![Wide::ZERO; body.rates.len()];
+        Self::with_states(body, exactly(params), &own)
     }
 
     /// In a state.
     pub fn now(body: &'a Body, given: &Given) -> Self {
-        let own: Vec<Wide> = given.own.iter().map(|x| Wide::from(*x)).collect();
-        Self::with_states(body, given.params.clone(), &own)
+        Self::with_states(body, exactly(&given.params), &exactly(&given.own))
     }
 
     /// Of a body whose mass and inertia follow its own states.
-    pub fn with_states(body: &'a Body, params: Vec<f64>, own: &[Wide]) -> Self {
+    pub fn with_states(body: &'a Body, params: Vec<Wide>, own: &[Wide]) -> Self {
         let (param_offsets, _) = body.param_offsets();
         let mut early = Early {
             params: &params,
@@ -168,6 +168,10 @@ impl Solved {
     pub fn condition(&self) -> f64 {
         self.size * self.inverse_size
     }
+}
+
+pub fn exactly(numbers: &[f64]) -> Vec<Wide> {
+    numbers.iter().map(|number| Wide::from(*number)).collect()
 }
 
 pub fn multiplied(matrix: &[[Wide; 3]; 3], vector: [Wide; 3]) -> [Wide; 3] {

@@ -7,10 +7,12 @@ use crate::output::{Answers, Output};
 
 use super::arithmetic::Values as _;
 use super::constants::Constants;
+use super::following::{follow, following};
 use super::inertia::sum;
-use super::law::{Motions, acceleration, given_motion, inertial, kinetic_energy, spin, without};
+use super::law::{Motions, given_motion, inertial, kinetic_energy, spin, without};
 use super::loads::{Acting, Wrench, acting};
 use super::number::Number;
+use super::regressed::{Regressed, outputs, regressed};
 use super::scene::Scene;
 use super::unknowns::{Equations, Open, open_loads, solve};
 use super::vector::Vector;
@@ -30,15 +32,13 @@ pub fn expected(
     answers: &Answers,
 ) -> Option<Vec<Expected>> {
     let scene = Scene::new(constants, given);
-    let loads = constants.body.loads.iter();
-    let loads: Vec<Option<Acting>> = loads.map(|load| acting(&scene, load)).collect();
+    let motions = following(&scene);
+    let (loads, applied) = acting_all(&scene);
     let each = || loads.iter().flatten();
-    let applied = each().fold(Wrench::ZERO, |all, one| all.and(one.wrench));
     let reactions = open_loads(&scene, true);
     let driving = reactions
         .iter()
         .fold(applied, |all, one| all.and(one.given));
-    let motions = acceleration(&scene, &driving);
     let mut list = List {
         scene: &scene,
         list: Vec::with_capacity(32),
@@ -62,7 +62,11 @@ pub fn expected(
     let solved = solve(&reactions, &missing, Equations::Both, constants.direction);
     list.unknowns(&reactions, &solved);
 
-    let change = inertial(&scene, &given_motion(&scene, &given.motion));
+    // residuals and drives are those of a motion that is given
+    let asked = given_motion(&scene, &given.motion);
+    follow(&scene, &asked);
+    let (_, applied) = acting_all(&scene);
+    let change = inertial(&scene, &asked);
     let answered = reactions
         .iter()
         .fold(applied, |all, open| all.and(told(&scene, open, answers)));
@@ -74,7 +78,17 @@ pub fn expected(
         residual.about_center + from_pole.cross(residual.force),
     );
     list.drives(&without(&change, &applied));
+    list.regressor(&asked);
     (!scene.is_near_switch()).then_some(list.list)
+}
+
+/// Each load, and all together.
+fn acting_all(scene: &Scene<'_>) -> (Vec<Option<Acting>>, Wrench) {
+    let loads = scene.constants.body.loads.iter();
+    let loads: Vec<Option<Acting>> = loads.map(|load| acting(scene, load)).collect();
+    let each = loads.iter().flatten();
+    let applied = each.fold(Wrench::ZERO, |all, one| all.and(one.wrench));
+    (loads, applied)
 }
 
 struct List<'a> {
@@ -162,6 +176,32 @@ impl List<'_> {
                 _ => Output::UnknownMoment,
             };
             self.tell(output, open.index, *value);
+        }
+    }
+
+    /// Of a body that does not change.
+    fn regressor(&mut self, motions: &Motions) {
+        let body = self.scene.constants.body;
+        if body.changes {
+            return;
+        }
+        let outputs = outputs(&body.motion);
+        let Regressed {
+            columns,
+            parameters,
+        } = regressed(self.scene, motions);
+        for (index, [force, moment]) in columns.into_iter().enumerate() {
+            for output in outputs {
+                let rows = if *output == Output::RegressorForce {
+                    force
+                } else {
+                    moment
+                };
+                self.tell(*output, index, rows);
+            }
+        }
+        for (index, parameter) in parameters.into_iter().enumerate() {
+            self.tell(Output::Parameter, index, Vector::scalar(parameter));
         }
     }
 

@@ -100,7 +100,7 @@ fn rod(scene: &Scene<'_>) -> (Vector, Vector) {
 }
 
 /// The angular acceleration in world axes.
-fn angular_in_world(scene: &Scene<'_>, angular: Vector) -> Vector {
+pub fn angular_in_world(scene: &Scene<'_>, angular: Vector) -> Vector {
     let constants = scene.constants;
     match constants.body.motion {
         Motion::Pivot(_) | Motion::FixedAxis(..) | Motion::Planar => {
@@ -126,18 +126,24 @@ fn about_held(scene: &Scene<'_>, angular: Vector) -> Motions {
 
 /// A motion that is given: exact numbers.
 pub fn given_motion(scene: &Scene<'_>, numbers: &[f64]) -> Motions {
-    let three = |from: usize| Vector::given([numbers[from], numbers[from + 1], numbers[from + 2]]);
-    let two = || Vector::given([numbers[0], numbers[1], 0.0]);
+    let numbers: Vec<Number> = numbers.iter().map(|x| Number::given(*x)).collect();
+    motion_of(scene, &numbers)
+}
+
+/// The motion with these coordinates.
+pub fn motion_of(scene: &Scene<'_>, numbers: &[Number]) -> Motions {
+    let three = |from: usize| Vector::new([numbers[from], numbers[from + 1], numbers[from + 2]]);
+    let two = || Vector::new([numbers[0], numbers[1], Number::ZERO]);
     let zero = Vector::ZERO;
     let (linear, angular) = match scene.constants.body.motion {
         Motion::Spatial | Motion::Rod(_) => (three(0), three(3)),
         Motion::Translation => (three(0), zero),
         Motion::PlanarTranslation => (two(), zero),
-        Motion::Planar => (two(), Vector::scalar(Number::given(numbers[2]))),
+        Motion::Planar => (two(), Vector::scalar(numbers[2])),
         Motion::Rotation => (zero, three(0)),
         Motion::FixedPoint(_) => return about_held(scene, three(0)),
         Motion::Pivot(_) | Motion::FixedAxis(..) => {
-            return about_held(scene, Vector::scalar(Number::given(numbers[0])));
+            return about_held(scene, Vector::scalar(numbers[0]));
         }
     };
     Motions { linear, angular }

@@ -1,18 +1,18 @@
-//! Derivatives of the accelerations by the coordinates of the state, by differences in 106 bits.
+//! Derivatives of the accelerations by the coordinates of the state and by the parameters, by
+//! differences in 106 bits.
 
 use crate::description::body::{Body, Motion};
 use crate::given::Given;
 use crate::wide::Wide;
 
 use super::arithmetic::Values as _;
-use super::constants::Constants;
+use super::constants::{Constants, exactly};
 use super::differences::settled;
-use super::law::{Motions, acceleration};
-use super::loads::{Wrench, acting};
+use super::following::following;
+use super::law::Motions;
 use super::number::Number;
 use super::scene::{Instant, Scene};
 use super::step::Step;
-use super::unknowns::open_loads;
 
 /// A derivative, and by how much it is in doubt.
 pub struct Entry {
@@ -25,12 +25,7 @@ pub struct Entry {
 /// The accelerations as a body lists them, and the rates of its own states.
 fn accelerations(scene: &Scene<'_>) -> Vec<Number> {
     let body = scene.constants.body;
-    let loads = body.loads.iter().filter_map(|load| acting(scene, load));
-    let applied = loads.fold(Wrench::ZERO, |all, one| all.and(one.wrench));
-    let driving = open_loads(scene, true)
-        .iter()
-        .fold(applied, |all, one| all.and(one.given));
-    let Motions { linear, angular } = acceleration(scene, &driving);
+    let Motions { linear, angular } = following(scene);
     let parts =
         |vector: super::vector::Vector, count: usize| (0..count).map(move |i| vector.component(i));
     let mut list = Vec::new();
@@ -73,7 +68,8 @@ fn step(motion: &Motion, column: usize, length: f64) -> Step {
     step
 }
 
-/// The rows of the accelerations and of the rates, by columns of the state; of a rod without those of its axis, and nothing near switches.
+/// The rows of the accelerations and of the rates, by columns of the state, and behind them of the parameters; of a rod without
+/// those of its axis, and nothing near switches.
 pub fn derivatives(body: &Body, given: &Given) -> Option<Vec<Entry>> {
     let constants = Constants::now(body, given);
     let here = Scene::new(&constants, given);
@@ -85,7 +81,9 @@ pub fn derivatives(body: &Body, given: &Given) -> Option<Vec<Entry>> {
     let count = along + about;
     let instant = Instant::of(given);
     let mut entries = Vec::new();
-    for column in 0..2 * count + body.rates.len() {
+    let params = exactly(&given.params);
+    let states = 2 * count + body.rates.len();
+    for column in 0..states + params.len() {
         let is_of_axis = matches!(body.motion, Motion::Rod(_)) && column % 6 >= 3 && column < 12;
         if is_of_axis {
             continue;
@@ -98,10 +96,11 @@ pub fn derivatives(body: &Body, given: &Given) -> Option<Vec<Entry>> {
                         let moved = step(&body.motion, column, length).from(&body.motion, &instant);
                         accelerations(&Scene::at(&constants, given, &moved))[row]
                     }
-                    Some(own) => {
-                        let mut moved = instant.clone();
-                        moved.own[own] = moved.own[own] + Wide::from(length);
-                        let params = given.params.clone();
+                    Some(other) => {
+                        let (mut moved, mut params) = (instant.clone(), params.clone());
+                        let mut numbers = moved.own.iter_mut().chain(&mut params);
+                        let number = numbers.nth(other).expect("a column");
+                        *number = *number + Wide::from(length);
                         let constants = Constants::with_states(body, params, &moved.own);
                         accelerations(&Scene::at(&constants, given, &moved))[row]
                     }

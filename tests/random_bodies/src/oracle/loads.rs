@@ -119,7 +119,7 @@ pub fn acting(scene: &Scene<'_>, load: &Load) -> Option<Acting> {
 }
 
 /// The same in world axes for every state, on a point of the body.
-fn is_uniform(scene: &Scene<'_>, vector: &Written, place: &Place) -> bool {
+pub fn is_uniform(scene: &Scene<'_>, vector: &Written, place: &Place) -> bool {
     let body = scene.constants.body;
     let is_on_body = match place {
         Place::Center => true,
@@ -191,13 +191,18 @@ fn is_constant(scene: &Scene<'_>, scalar: &Scalar) -> bool {
         | Scalar::Power(a, _)
         | Scalar::Called(a)
         | Scalar::Table(a, ..) => constant(a),
+        Scalar::Grid(at, ..) => at.iter().all(constant),
         Scalar::Sum(a, b)
         | Scalar::Difference(a, b)
         | Scalar::Product(a, b)
         | Scalar::Quotient(a, b)
         | Scalar::Binary(_, a, b) => constant(a) && constant(b),
         Scalar::If(condition, a, b) => is_decided(scene, condition) && constant(a) && constant(b),
-        Scalar::Angle | Scalar::AngularRate | Scalar::Attitude(_) | Scalar::Reaction(..) => false,
+        Scalar::Angle
+        | Scalar::AngularRate
+        | Scalar::AngularAcceleration
+        | Scalar::Attitude(_)
+        | Scalar::Reaction(..) => false,
     }
 }
 

@@ -8,6 +8,7 @@ pub mod constants;
 pub mod constrained;
 pub mod differences;
 mod expected;
+mod following;
 mod inertia;
 pub mod law;
 #[allow(dead_code, reason = "asked for by random bodies alone")]
@@ -15,8 +16,10 @@ pub mod linearized;
 pub mod loads;
 pub mod number;
 mod potentials;
+mod regressed;
 pub mod scene;
 mod step;
+mod tables;
 pub mod unknowns;
 pub mod vector;
 

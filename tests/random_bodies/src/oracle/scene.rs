@@ -57,6 +57,8 @@ pub struct Scene<'a> {
     /// Of each load, if some mention them.
     reactions: Vec<Vector>,
     near_switch: Cell<bool>,
+    /// The accelerations that loads follow: of G and angular, world axes.
+    following: Cell<[Vector; 2]>,
 }
 
 /// How what is fixed in the body lies in the world.
@@ -77,7 +79,7 @@ impl Values for Scene<'_> {
     fn scalar(&self, scalar: &Scalar) -> Number {
         let constants = self.constants;
         match scalar {
-            Scalar::Param(i) => Number::given(constants.params[constants.param_offsets[*i]]),
+            Scalar::Param(i) => Number::exactly(constants.params[constants.param_offsets[*i]]),
             Scalar::Input(i) => Number::given(self.given.inputs[constants.input_offsets[*i]]),
             Scalar::Local(i) => match self.locals[*i] {
                 Value::Scalar(number) => number,
@@ -92,6 +94,7 @@ impl Values for Scene<'_> {
             Scalar::Mass => constants.mass,
             Scalar::Angle => self.angle,
             Scalar::AngularRate => self.angular_velocity.component(2),
+            Scalar::AngularAcceleration => self.following.get()[1].component(2),
             Scalar::Attitude(i) => self.attitude[*i],
             Scalar::Component(vector, axes, i) => {
                 let vector = self.vector(vector);
@@ -139,6 +142,7 @@ impl<'a> Scene<'a> {
             locals: Vec::new(),
             reactions: Vec::new(),
             near_switch: Cell::new(false),
+            following: Cell::default(),
         };
         scene.place_body(&instant.state);
         for local in &constants.body.locals {
@@ -154,6 +158,11 @@ impl<'a> Scene<'a> {
     /// With the values of the loads that others follow.
     pub fn with_reactions(self, reactions: Vec<Vector>) -> Self {
         Self { reactions, ..self }
+    }
+
+    /// Loads follow these accelerations from now on.
+    pub fn follow(&self, [acceleration, turning]: [Vector; 2]) {
+        self.following.set([acceleration, turning]);
     }
 
     /// Whether rounding may decide a condition in this state, or its side of a pole.
@@ -321,9 +330,10 @@ impl<'a> Scene<'a> {
         }
     }
 
-    fn listed(&self, numbers: &[f64], from: usize) -> Vector {
+    fn listed(&self, numbers: impl Fn(usize) -> Wide) -> Vector {
         let axes = self.constants.body.axes();
-        Vector::given([0, 1, 2].map(|i| if i < axes { numbers[from + i] } else { 0.0 }))
+        let number = |i: usize| if i < axes { numbers(i) } else { Wide::ZERO };
+        Vector::exactly([0, 1, 2].map(number))
     }
 
     pub fn written(&self, axes: Axes, components: &[Scalar; 3]) -> Vector {
@@ -347,14 +357,14 @@ impl<'a> Scene<'a> {
                     unreachable!("a vector")
                 };
                 let from = self.constants.param_offsets[*i];
-                self.written_in(axes, self.listed(&self.constants.params, from))
+                self.written_in(axes, self.listed(|i| self.constants.params[from + i]))
             }
             Written::Input(i) => {
                 let Input::Vector(axes) = body.inputs[*i] else {
                     unreachable!("a vector")
                 };
                 let from = self.constants.input_offsets[*i];
-                self.written_in(axes, self.listed(&self.given.inputs, from))
+                self.written_in(axes, self.listed(|i| self.given.inputs[from + i].into()))
             }
             Written::Local(i) => match self.locals[*i] {
                 Value::Vector(vector) => vector,
@@ -363,6 +373,13 @@ impl<'a> Scene<'a> {
             Written::Position => self.center,
             Written::Velocity => self.velocity,
             Written::AngularVelocity => self.angular_velocity,
+            Written::Acceleration => self.following.get()[0],
+            Written::AngularAcceleration => self.following.get()[1],
+            Written::PointAcceleration(place) => {
+                let (arm, w) = (self.arm(place), self.angular_velocity);
+                let [linear, turning] = self.following.get();
+                linear + turning.cross(arm) + w.cross(w.cross(arm))
+            }
             Written::Axis => self.axis,
             Written::AxisRate => self.axis_rate,
             Written::PointPosition(place) => self.position(place),

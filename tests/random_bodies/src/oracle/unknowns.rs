@@ -162,8 +162,8 @@ fn size(share: &[Wide], missing: &Wrench, equations: Equations) -> f64 {
     }
 }
 
-/// By Gauss and Jordan, of a matrix that is positive definite.
-fn inverted(mut matrix: Vec<Vec<Wide>>) -> Vec<Vec<Wide>> {
+/// By Gauss and Jordan, of a matrix whose pivots do not vanish.
+pub fn inverted(mut matrix: Vec<Vec<Wide>>) -> Vec<Vec<Wide>> {
     let n = matrix.len();
     for (i, row) in matrix.iter_mut().enumerate() {
         row.extend((0..n).map(|j| if i == j { Wide::ONE } else { Wide::ZERO }));

@@ -9,11 +9,11 @@ use fuzz::mechanics::{
     derive_inertias, derive_jacobians, derive_system, derive_system_balances,
     derive_system_consistency, derive_system_driving, derive_system_energy, derive_system_inverse,
     derive_system_momentum, derive_system_open, derive_system_reactions, describe_system,
-    differentiated_system, linearize, with_system_potentials,
+    differentiated_system, linearize, sensitivity, with_system_potentials,
 };
 use fuzz::model::{Meaning, Outline, System, Variable, Workspace};
 use fuzz::outputs::offers;
-use fuzz::symbolic::{Comparison, Components, Function, Id, Node, Number};
+use fuzz::symbolic::{Comparison, Components, Function, Id, Node, Number, Table};
 use fuzz::syntax::parse_system;
 use proc_macro2::TokenStream;
 
@@ -46,11 +46,13 @@ pub struct Compiled {
     /// The link of each link without mass, and its tension.
     pub ties: Vec<(usize, Id)>,
     pub linearization: Option<Linearization>,
+    pub sensitivity: Option<Linearization>,
 }
 
 /// Values of the symbols.
 pub struct Given<'a> {
     pub time: Wide,
+    /// Behind them user-defined states.
     pub params: &'a [Wide],
     pub inputs: &'a [Wide],
     /// By link.
@@ -130,6 +132,7 @@ impl Compiled {
         let tensions = equations.kept_loads().iter().copied();
         let ties = system.links.iter().map(|tie| number_of(&tie.name));
         let is_asked = outline.rank("linearization").is_some();
+        let has_params = outline.rank("sensitivity").is_some();
         let constraints = derive_system_consistency(&system, &mut work, &equations);
         Some(Self {
             links: system
@@ -146,6 +149,10 @@ impl Compiled {
             linearization: is_asked.then(|| {
                 let differentiated = differentiated_system(&system, &mut work, &equations);
                 linearize(&outline, &system, &mut work, differentiated)
+            }),
+            sensitivity: has_params.then(|| {
+                let differentiated = differentiated_system(&system, &mut work, &equations);
+                sensitivity(&outline, &mut work, differentiated)
             }),
             skipped: describe_system(&system, &work, &equations).skipped,
             accelerations: equations.accelerations.clone(),
@@ -207,6 +214,7 @@ impl Compiled {
         match self.work.meaning(id) {
             Some(Meaning::Time) => given.time,
             Some(Meaning::Param(i, _)) => given.params[i],
+            Some(Meaning::Own(i)) => given.params[self.outline.params.len() + i],
             Some(Meaning::Input(i, _)) => given.inputs[i],
             Some(Meaning::Reaction(i, axis)) => {
                 // behind those of joints the tensions, a number each
@@ -251,6 +259,10 @@ impl Compiled {
                 Node::Multiply(a, b) => value(a) * value(b),
                 Node::Divide(a, b) => value(a) / value(b),
                 Node::Unary(function, a) => unary(function, value(a)),
+                Node::Binary(Function::Table, a, table) => {
+                    let table = graph.table(table).expect("a table");
+                    tabulated(&table, value(a))
+                }
                 Node::Binary(function, a, b) => binary(function, value(a), value(b)),
                 Node::Compare(comparison, a, b) => truth(match comparison {
                     Comparison::Less => value(a) < value(b),
@@ -267,6 +279,16 @@ impl Compiled {
         }
         roots.iter().map(|root| values[root.index()]).collect()
     }
+}
+
+/// The polynomial for it.
+fn tabulated(table: &Table, x: Wide) -> Wide {
+    let pieces = table.pieces.iter().rev();
+    let mut pieces = pieces.skip_while(|piece| x < wide(&piece.start));
+    let piece = pieces.next().unwrap_or(&table.pieces[0]);
+    let beyond = x - wide(&piece.start);
+    let coefficients = piece.coefficients.iter().rev();
+    coefficients.fold(Wide::ZERO, |sum, one| sum * beyond + wide(one))
 }
 
 /// A number, and what its double leaves.

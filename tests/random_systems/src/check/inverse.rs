@@ -5,6 +5,7 @@ use super::state::State;
 use super::{Checks, EXACT, Failure, apart};
 use crate::draw::Drawn;
 use crate::law::kind::{Kind, Motion};
+use crate::law::scene::Loads;
 use crate::law::space::{ZERO, add, cross, scale, subtract};
 use crate::wide::Wide;
 
@@ -67,10 +68,11 @@ impl Checks<'_> {
     /// Inverse dynamics, mass matrix, and residuals, with any motion and any loads of joints.
     pub fn any_motion(&mut self) {
         let (compiled, state) = (self.compiled, self.state);
-        let (carried, motions) = self.scene.carried(&self.loads, &state.accelerations);
+        let loads = self.loads_in(&state.accelerations);
+        let (carried, motions) = self.scene.carried(&loads, &state.accelerations);
         let mut needed = Vec::new();
         for link in 0..self.drawn.links.len() {
-            let pairs = carried.along[link].iter().zip(&self.loads.drives[link]);
+            let pairs = carried.along[link].iter().zip(&loads.drives[link]);
             needed.push(
                 pairs
                     .map(|(along, drive)| *along - *drive)
@@ -95,13 +97,15 @@ impl Checks<'_> {
             );
         }
         self.mass_matrix(&needed, carried.size);
-        self.balances(&motions, carried.size);
+        self.balances(&loads, &motions, carried.size);
     }
 
     /// `M q'' = f`
     fn mass_matrix(&mut self, needed: &[Vec<Wide>], size: f64) {
         let (compiled, state) = (self.compiled, self.state);
-        let Some(inertias) = &compiled.inertias else {
+        // of loads that follow accelerations nothing is said
+        let inertias = compiled.inertias.as_ref();
+        let Some(inertias) = inertias.filter(|_| !self.drawn.follows) else {
             return;
         };
         let count = inertias.rows.len();
@@ -131,7 +135,7 @@ impl Checks<'_> {
     }
 
     /// Of each body, with any loads of joints.
-    fn balances(&mut self, motions: &[Motion], size: f64) {
+    fn balances(&mut self, given: &Loads, motions: &[Motion], size: f64) {
         let (compiled, state) = (self.compiled, self.state);
         for (body, link) in compiled.links.iter().enumerate() {
             let balance = &compiled.balances[body];
@@ -143,6 +147,7 @@ impl Checks<'_> {
                 &[force, moment].concat(),
                 size,
             );
+            let [force, moment] = given.on[*link];
             let residual = self.values(&[balance.residual.force, balance.residual.moment].concat());
             let [taken, turning] = self.scene.taken(*link, &motions[*link]);
             let mut sums = [subtract(force, taken), subtract(moment, turning)];

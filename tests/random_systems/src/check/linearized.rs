@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use fuzz::mechanics::{Column, Row};
+use fuzz::mechanics::{Column, Linearization, Row};
 use fuzz::model::{Group, Variable};
 
 use super::state::{State, slope};
@@ -21,12 +21,17 @@ impl Checks<'_> {
             return;
         };
         let groups = self.compiled.outline.tangent();
+        let params = self.drawn.declared.params.len();
         let accelerations = self.values(&found.accelerations);
         let largest = accelerations.iter().fold(1.0, size);
         for (number, group) in groups.iter().enumerate() {
             for part in 0..group.size {
                 let column = (Column::State(number), part);
-                let failure = self.column(column, largest, |by| self.shifted(group, part, by));
+                let failure = if group.variable == Variable::Own {
+                    self.by_value(found, column, largest, params + group.first)
+                } else {
+                    self.column(found, column, largest, |by| self.shifted(group, part, by))
+                };
                 self.failures += &failure.unwrap_or_default();
             }
             if group.variable == Variable::Quaternion {
@@ -35,7 +40,7 @@ impl Checks<'_> {
         }
         for number in 0..self.state.inputs.len() {
             let column = (Column::Input(number), 0);
-            let failure = self.column(column, largest, |by| {
+            let failure = self.column(found, column, largest, |by| {
                 let mut inputs = self.state.inputs.clone();
                 inputs[number] = inputs[number] + Wide::from(by);
                 State {
@@ -43,6 +48,20 @@ impl Checks<'_> {
                     ..self.state.with(self.state.rates.clone())
                 }
             });
+            self.failures += &failure.unwrap_or_default();
+        }
+    }
+
+    /// By parameters, each of them.
+    pub fn sensitive(&mut self) {
+        let Some(found) = &self.compiled.sensitivity else {
+            return;
+        };
+        let accelerations = self.values(&found.accelerations);
+        let largest = accelerations.iter().fold(1.0, size);
+        for number in 0..self.drawn.declared.params.len() {
+            let column = (Column::Param(number), 0);
+            let failure = self.by_value(found, column, largest, number);
             self.failures += &failure.unwrap_or_default();
         }
     }
@@ -84,15 +103,39 @@ impl Checks<'_> {
         self.state.shifted(self.drawn, &along, by)
     }
 
-    /// What the accelerations change by along one column.
+    /// The same by a parameter, or a state behind them, in steps of its own size.
+    fn by_value(
+        &self,
+        found: &Linearization,
+        column: (Column, usize),
+        largest: f64,
+        number: usize,
+    ) -> Option<Failure> {
+        // a power of two, of which multiples are exact
+        let unit = self.state.params[number].high.abs().log2().floor().exp2();
+        let at = |by: f64| self.state.valued(number, by * unit);
+        self.column_in((found, unit), column, largest, at)
+    }
+
     fn column(
         &self,
+        found: &Linearization,
+        column: (Column, usize),
+        largest: f64,
+        at: impl Fn(f64) -> State,
+    ) -> Option<Failure> {
+        self.column_in((found, 1.0), column, largest, at)
+    }
+
+    /// What the accelerations change by along one column, in steps of a unit.
+    fn column_in(
+        &self,
+        (found, unit): (&Linearization, f64),
         (column, part): (Column, usize),
         largest: f64,
         at: impl Fn(f64) -> State,
     ) -> Option<Failure> {
         let compiled = self.compiled;
-        let found = compiled.linearization.as_ref()?;
         let expected = slope(1.0, |by| {
             compiled.values(&found.accelerations, &at(by).given())
         });
@@ -104,7 +147,8 @@ impl Checks<'_> {
             let block = blocks.find(|block| block.row == row && block.column == column);
             if let Some(block) = block {
                 let ids = &block.entries[part * group.size..(part + 1) * group.size];
-                entries[first..first + group.size].copy_from_slice(&self.values(ids));
+                let values = self.values(ids).into_iter().map(|value| value * unit);
+                entries.splice(first..first + group.size, values);
             }
             first += group.size;
         }

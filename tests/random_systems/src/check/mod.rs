@@ -76,7 +76,9 @@ pub fn check(
     checks.totals();
     checks.words();
     checks.jacobian();
+    checks.own_rates();
     checks.linearized();
+    checks.sensitive();
     let errors = checks.doubles(&found, rng);
     Some(if checks.failures.is_empty() {
         Ok(errors)
@@ -88,8 +90,28 @@ pub fn check(
 pub use inverse::round_trip;
 
 impl Checks<'_> {
+    /// Those of user-defined states.
+    fn own_rates(&mut self) {
+        let states = self.compiled.system.states.iter();
+        let found: Vec<Id> = states.map(|state| state.rate).collect();
+        let expected = self.drawn.rates.iter().map(|rate| rate(&self.scene));
+        let expected: Vec<Wide> = expected.collect();
+        let found = self.values(&found);
+        self.close("rate of a state", &found, &expected, 1.0);
+    }
+
     fn values(&self, roots: &[Id]) -> Vec<Wide> {
         self.compiled.values(roots, &self.state.given())
+    }
+
+    /// All loads, in a motion with these accelerations.
+    fn loads_in(&self, accelerations: &[Vec<Wide>]) -> Loads {
+        if !self.drawn.follows {
+            return self.loads.clone();
+        }
+        self.scene.follow(accelerations);
+        let acting = self.drawn.acting.iter().chain(&self.drawn.pulling);
+        self.scene.loads(acting)
     }
 
     fn close(&mut self, what: &str, found: &[Wide], expected: &[Wide], size: f64) {

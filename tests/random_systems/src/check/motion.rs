@@ -25,6 +25,7 @@ impl Checks<'_> {
         let open = compiled.accelerations.concat();
         let found = self.values(&open);
         let mut accelerations = self.by_link(&found);
+        self.loads = self.loads_in(&accelerations);
         let (loads, is_determined) = self.held(&mut accelerations);
         let (carried, _) = self.scene.carried(&loads, &accelerations);
         for (joint, link) in compiled.links.iter().enumerate() {

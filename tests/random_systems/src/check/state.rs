@@ -11,6 +11,7 @@ use crate::wide::Wide;
 
 pub struct State {
     pub time: Wide,
+    /// Behind them the user-defined states.
     pub params: Vec<Wide>,
     pub inputs: Vec<Wide>,
     pub rates: Vec<Rates>,
@@ -151,9 +152,12 @@ impl State {
             loads.push(load);
         }
         let params = drawn.declared.params.iter();
+        let params = params.map(|(_, value)| (*value).into());
+        let states = drawn.declared.states.iter();
+        let states = states.map(|(.., value)| (*value).into());
         Self {
             time,
-            params: params.map(|(_, value)| (*value).into()).collect(),
+            params: params.chain(states).collect(),
             inputs,
             rates,
             accelerations,
@@ -200,7 +204,14 @@ impl State {
         }
     }
 
-    /// A little later, with accelerations by link.
+    /// With another value of a parameter, or of a state behind them.
+    pub fn valued(&self, param: usize, by: f64) -> Self {
+        let mut state = self.with(self.rates.clone());
+        state.params[param] = state.params[param] + Wide::from(by);
+        state
+    }
+
+    /// A little later, with user-defined states as they are, and with accelerations by link.
     pub fn later(&self, drawn: &Drawn, a: &[Vec<Wide>], by: f64) -> Self {
         let time = self.time + Wide::from(by);
         let half = Wide::from(by) * by * 0.5;

@@ -62,13 +62,13 @@ impl Drawing {
         let numbers = &mut self.numbers;
         let mass = (0.5 + numbers.positive(2.0)) * 2.0_f64.powi(power);
         let mut keys = Keys::default();
-        let (word, mass_value) = numbers.quantity(mass, "kg");
+        let (word, mass_value) = numbers.changing(mass, "kg");
         keys.mass = word;
         // moments of the distribution along each axis, so that the inertia is possible
         let [a, b, c] = [0; 3].map(|_| mass * numbers.positive(0.25));
         let (is_disc, radius) = (numbers.one_of(3), 0.125 + numbers.positive(0.5));
         let tensor = if self.is_planar {
-            let (word, moment) = numbers.quantity(a, "kg * m ^ 2");
+            let (word, moment) = numbers.changing(a, "kg * m ^ 2");
             keys.inertia = word;
             diagonal([Wide::ONE, Wide::ONE, moment])
         } else if is_disc && has_copies {
@@ -123,7 +123,7 @@ impl Drawing {
                     .find(|(value, _)| value.total_cmp(&moment).is_eq());
                 let word = match known {
                     Some((_, word)) => word.clone(),
-                    None => numbers.quantity(moment, unit).0,
+                    None => numbers.changing(moment, unit).0,
                 };
                 seen.push((moment, word.clone()));
                 words.push(word);
@@ -138,7 +138,7 @@ impl Drawing {
         let mut words: Vec<String> = ["xx", "yy", "zz"]
             .iter()
             .zip(moments)
-            .map(|(name, moment)| format!("{name}: {}", numbers.quantity(moment, unit).0))
+            .map(|(name, moment)| format!("{name}: {}", numbers.changing(moment, unit).0))
             .collect();
         for (name, i, j) in names {
             if numbers.one_of(3) {

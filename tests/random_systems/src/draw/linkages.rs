@@ -195,6 +195,7 @@ impl Linkage {
             declared: Declared::default(),
             params: 0,
             locals: 0,
+            states: 0,
         };
         let mut drawing = Drawing::new(numbers, true, Extent::ALL);
         let bodies = self.hinges.iter().map(|(_, carried, _)| carried + 1);

@@ -28,6 +28,9 @@ impl Drawing {
             if self.numbers.one_of(8) {
                 self.field_on(body);
             }
+            if self.extent.following && self.numbers.one_of(2) {
+                self.added_to(body);
+            }
         }
         for joint in 0..bodies {
             if self.is_open {
@@ -44,6 +47,7 @@ impl Drawing {
             self.couple(number);
         }
         self.potentials();
+        self.own_rates();
         self.open_inputs();
     }
 

@@ -4,6 +4,7 @@ mod between;
 mod bodies;
 mod closings;
 mod drives;
+mod following;
 mod joints;
 #[cfg(test)]
 pub mod linkages;
@@ -11,6 +12,7 @@ mod loads;
 pub mod number;
 mod potentials;
 mod sizes;
+mod states;
 mod ties;
 mod written;
 
@@ -22,6 +24,7 @@ use crate::law::space::{Vec3, ZERO};
 use crate::wide::Wide;
 
 use number::{Declared, Numbers};
+use sizes::Size;
 
 /// What is drawn of a system; less for a smaller one that fails alike.
 #[allow(clippy::struct_excessive_bools, reason = "each leaves out one thing")]
@@ -41,6 +44,10 @@ pub struct Extent {
     pub copies: bool,
     pub locals: bool,
     pub armatures: bool,
+    /// Loads that follow accelerations: of one system in four.
+    pub following: bool,
+    /// User-defined states, mass that changes with them, and tables: of one system in three.
+    pub states: bool,
     /// Links without mass among what closes loops: asked for by `--links 1`.
     pub ties: bool,
     /// Asked for by `--linearized 1`.
@@ -61,6 +68,8 @@ impl Extent {
         copies: true,
         locals: true,
         armatures: true,
+        following: true,
+        states: true,
         ties: false,
         linearized: false,
     };
@@ -86,6 +95,10 @@ pub struct Drawn {
     /// The energies of uniform fields of single bodies, which are loads like others.
     pub falling: Vec<Stored>,
     pub declared: Declared,
+    /// Whether loads follow accelerations.
+    pub follows: bool,
+    /// Those of user-defined states.
+    pub rates: Vec<Size>,
     /// The inputs that stand for open drives: of a joint, along its freedom, which input.
     pub open: Vec<(usize, usize, usize)>,
     /// The acceleration of the field that acts on all mass alike; none if there are fields that
@@ -126,6 +139,8 @@ pub struct Drawing {
     pub stored: Vec<Stored>,
     pub falling: Vec<Stored>,
     pub open: Vec<(usize, usize, usize)>,
+    /// Of each state, as they are written and as they are.
+    pub rates: Vec<(String, Size)>,
     pub gravity: Option<Vec3>,
     /// How many loads were drawn.
     pub loads: usize,
@@ -177,9 +192,15 @@ pub fn drawn(seed: u64, index: usize, extent: Extent) -> Drawn {
         declared: Declared::default(),
         params: if extent.params { params } else { 0 },
         locals: if extent.locals { 24 } else { 0 },
+        states: if extent.states && index % 3 == 2 {
+            5
+        } else {
+            0
+        },
     };
     let mut drawing = Drawing::new(numbers, is_planar, extent);
     (drawing.is_flat, drawing.is_open) = (is_flat, special == 3);
+    drawing.extent.following &= index % 4 == 1;
     drawing.alike(count);
     for number in 0..count {
         // what is drawn of one body does not change what is drawn of the next
@@ -221,6 +242,7 @@ impl Drawing {
             stored: Vec::new(),
             falling: Vec::new(),
             open: Vec::new(),
+            rates: Vec::new(),
             gravity: Some(ZERO),
             loads: 0,
             bodies: Vec::new(),

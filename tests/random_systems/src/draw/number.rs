@@ -10,6 +10,8 @@ use crate::wide::Wide;
 pub struct Declared {
     /// With their units.
     pub params: Vec<(String, f64)>,
+    /// User-defined, with their units.
+    pub states: Vec<(String, String, f64)>,
     pub inputs: Vec<(String, f64)>,
     /// How inputs are declared: of moving ones the rates are not.
     pub input_words: Vec<String>,
@@ -26,6 +28,8 @@ pub struct Numbers {
     pub params: usize,
     /// And a local.
     pub locals: usize,
+    /// Of what may change, one of so many is a state of its own; 0: none.
+    pub states: usize,
 }
 
 pub type Written = (String, Wide);
@@ -61,6 +65,19 @@ impl Numbers {
             format!("[{unit}]")
         };
         (self.local(literal(value) + &unit), value.into())
+    }
+
+    /// The same of what may change: a quantity, or a user-defined state of this value.
+    pub fn changing(&mut self, value: f64, unit: &str) -> Written {
+        let written = self.quantity(value, unit);
+        // what else is drawn does not depend on it
+        if self.states == 0 || self.rng.clone().usize(0..self.states) > 0 {
+            return written;
+        }
+        let name = format!("s{}", self.declared.states.len());
+        let state = (name.clone(), unit.to_owned(), value);
+        self.declared.states.push(state);
+        (name, value.into())
     }
 
     /// What is written, or the name of a local that is this.

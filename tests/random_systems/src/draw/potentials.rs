@@ -61,7 +61,7 @@ impl Drawing {
             ["m", "N / m"]
         };
         let (rest_word, rest) = self.numbers.quantity(rest, units[0]);
-        let (word, k) = self.numbers.quantity(k, units[1]);
+        let (word, k) = self.numbers.changing(k, units[1]);
         let Some(q) = self.coordinate(is_angle) else {
             return;
         };
@@ -84,7 +84,7 @@ impl Drawing {
     /// Of two joints.
     fn coupled(&mut self, number: usize) {
         let k = self.numbers.plain(3.0);
-        let (word, k) = self.numbers.quantity(k, "N * m");
+        let (word, k) = self.numbers.changing(k, "N * m");
         let (Some(a), Some(b)) = (self.coordinate(true), self.coordinate(true)) else {
             return;
         };
@@ -123,7 +123,7 @@ impl Drawing {
 
     fn spring(&mut self, number: usize) {
         let k = self.numbers.plain(3.0);
-        let (word, k) = self.numbers.quantity(k, "N / m");
+        let (word, k) = self.numbers.changing(k, "N / m");
         let Some(line) = self.line() else { return };
         if self.is_kept() {
             let text = format!("e{number} = {word} * {}.norm_squared()", line.word());
@@ -135,7 +135,7 @@ impl Drawing {
 
     fn far(&mut self, number: usize) {
         let (k, c) = (self.numbers.plain(3.0), self.numbers.positive(2.0));
-        let (word, k) = self.numbers.quantity(k, "N * m ^ 2");
+        let (word, k) = self.numbers.changing(k, "N * m ^ 2");
         let (core_word, c) = self.numbers.quantity(c, "m");
         let Some(line) = self.line() else { return };
         if self.is_kept() {
@@ -154,7 +154,7 @@ impl Drawing {
     fn magnet(&mut self, number: usize) {
         let count = self.firsts.len();
         let k = self.numbers.plain(3.0);
-        let (word, k) = self.numbers.quantity(k, "N * m");
+        let (word, k) = self.numbers.changing(k, "N * m");
         let bodies = [0; 2].map(|_| self.numbers.rng.usize(0..=count));
         let [(first, u), (second, v)] =
             [0; 2].map(|_| self.numbers.components(2.0, "", self.is_planar));
@@ -191,7 +191,7 @@ impl Drawing {
     /// Of a coordinate and of a place.
     fn lifted(&mut self, number: usize) {
         let k = self.numbers.plain(3.0);
-        let (word, k) = self.numbers.quantity(k, "N");
+        let (word, k) = self.numbers.changing(k, "N");
         let body = self.numbers.rng.usize(0..self.firsts.len());
         let (point, at) = self.point_of(body);
         let (up_word, up) = self.numbers.components(2.0, "", self.is_planar);
@@ -223,7 +223,7 @@ impl Drawing {
     /// In the braces of a body.
     fn trap(&mut self, body: usize) {
         let k = self.numbers.positive(3.0);
-        let (word, k) = self.numbers.quantity(k, "N / m");
+        let (word, k) = self.numbers.changing(k, "N / m");
         let (place, at) = self.numbers.components(1.0, "m", self.is_planar);
         let (point, on) = self.point_of(body);
         if !self.is_kept() {

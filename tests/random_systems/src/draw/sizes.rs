@@ -48,15 +48,19 @@ impl Drawing {
                     format!("{unit} / m"),
                     format!("{unit} * s / m"),
                 ];
-                let (word, k) = self.numbers.quantity(value, &unit[kind]);
-                let size: Size = Box::new(move |scene| {
+                let (word, k) = self.numbers.changing(value, &unit[kind]);
+                let known = move |scene: &Scene<'_>| {
                     let (q, v) = &scene.rates[joint];
-                    k * if kind % 2 == 0 { q[place] } else { v[place] }
-                });
+                    if kind % 2 == 0 { q[place] } else { v[place] }
+                };
+                let (name, table) = self
+                    .numbers
+                    .tabulated(name, ["rad", "rad / s", "m", "m / s"][kind]);
+                let size: Size = Box::new(move |scene| k * table(known(scene)));
                 (format!("({word} * {name})"), size)
             }
             2 => {
-                let (word, k) = self.numbers.quantity(value, unit);
+                let (word, k) = self.numbers.changing(value, unit);
                 let rate = self.numbers.plain(3.0);
                 let (rate_word, rate) = self.numbers.quantity(rate, "1 / s");
                 let size: Size = Box::new(move |scene| k * (rate * scene.time).sin_cos().1);
@@ -68,7 +72,7 @@ impl Drawing {
                 (format!("({word})"), size)
             }
             _ => {
-                let (word, k) = self.numbers.quantity(value, unit);
+                let (word, k) = self.numbers.changing(value, unit);
                 let size: Size = Box::new(move |_| k);
                 (format!("({word})"), size)
             }

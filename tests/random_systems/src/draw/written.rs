@@ -41,6 +41,9 @@ impl Drawing {
         outputs.push(&jacobian);
         if self.numbers.one_of(4) && self.extent.linearized {
             outputs.push("linearization");
+            if !self.numbers.declared.params.is_empty() {
+                outputs.push("sensitivity");
+            }
         }
         let text = self.text(&bodies, &joints, &outputs, false);
         let opened = (!self.open.is_empty()).then(|| {
@@ -60,6 +63,8 @@ impl Drawing {
             stored: self.stored,
             falling: self.falling,
             declared: self.numbers.declared,
+            follows: self.extent.following,
+            rates: self.rates.into_iter().map(|(_, rate)| rate).collect(),
             open: self.open,
             gravity: self.gravity,
             asked: Some((body, place)),
@@ -76,6 +81,11 @@ impl Drawing {
         let declared = &self.numbers.declared;
         let params = declared.params.iter().map(|(word, _)| word.clone());
         let params: Vec<String> = params.collect();
+        let states = declared.states.iter();
+        let states: Vec<String> = states
+            .map(|(name, unit, _)| format!("{name}[{unit}]"))
+            .collect();
+        let rates: Vec<String> = self.rates.iter().map(|(word, _)| word.clone()).collect();
         let mut drives = self.tops[DRIVES].clone();
         let mut inputs = declared.input_words.clone();
         if is_opened {
@@ -95,6 +105,8 @@ impl Drawing {
         for (key, list) in [
             ("params", &params[..]),
             ("inputs", &inputs),
+            ("states", &states),
+            ("rates", &rates),
             ("bodies", bodies),
             ("joints", joints),
             ("locals", &declared.locals),

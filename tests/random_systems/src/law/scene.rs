@@ -4,7 +4,7 @@
 //! velocity products follow from the product rule. Of given accelerations the loads of the joints
 //! follow body by body from the tips; a motion is true if along each freedom they are what drives it.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 use super::kind::{Kind, Motion, Pose, Rates};
 use super::space::{
@@ -55,6 +55,8 @@ pub struct Scene<'a> {
     pub inputs: &'a [Wide],
     pub rates: &'a [Rates],
     pub motions: Vec<Motion>,
+    /// With the accelerations that loads follow.
+    following: RefCell<Vec<Motion>>,
     /// A load has no direction here.
     pub is_near: Cell<bool>,
 }
@@ -116,9 +118,24 @@ impl<'a> Scene<'a> {
             time,
             inputs,
             rates,
+            following: RefCell::new(motions.clone()),
             motions,
             is_near: Cell::new(false),
         }
+    }
+
+    /// Loads follow these accelerations from now on.
+    pub fn follow(&self, accelerations: &[Vec<Wide>]) {
+        *self.following.borrow_mut() = motions(self.links, self.rates, accelerations);
+    }
+
+    /// The acceleration that loads follow: of a point of a body, and angular, world axes.
+    pub fn followed(&self, body: usize, at: Vec3) -> [Vec3; 2] {
+        let motion = &self.following.borrow()[body];
+        let (arm, w) = (self.turned(Some(body), at), motion.angular_velocity);
+        let turning = motion.angular_acceleration;
+        let swept = add(cross(turning, arm), cross(w, cross(w, arm)));
+        [add(motion.acceleration, swept), turning]
     }
 
     /// Of a link that a rod carries: the direction from Q to P, world axes.

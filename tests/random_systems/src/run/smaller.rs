@@ -32,6 +32,14 @@ pub fn smaller(plan: &Plan, index: usize, first: String) -> (String, String) {
                 ..extent
             },
             Extent {
+                following: false,
+                ..extent
+            },
+            Extent {
+                states: false,
+                ..extent
+            },
+            Extent {
                 ties: false,
                 ..extent
             },

@@ -124,9 +124,15 @@ pub fn equations(
     };
     let mut equations = together(work, (&masses, &driving), &rows, of_load);
     if is_fed_back {
-        // the contribution of loads to masses need not be positive
+        // the contribution of loads to masses need not be positive; slopes of rows cancel where loops
+        // are closed, so masses are divided by first
+        let size = if rows.is_empty() {
+            Size::Terms
+        } else {
+            Size::Masses
+        };
         for (row, equation) in equations.iter_mut().enumerate().take(count) {
-            equation.sizes[row] = Size::Terms;
+            equation.sizes[row] = size;
         }
     }
     equations

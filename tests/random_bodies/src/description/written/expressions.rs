@@ -1,6 +1,6 @@
 //! Scalars, conditions and vectors as they are written.
 
-use crate::description::expression::{Binary, Condition, Scalar, Unary, Vector};
+use crate::description::expression::{Binary, Condition, Course, Scalar, Unary, Vector};
 use crate::description::literal::Literal;
 
 use super::{Writer, word};
@@ -34,14 +34,18 @@ impl Writer<'_> {
             Scalar::State(i) => format!("state_{i}"),
             Scalar::Constant => "constant".to_owned(),
             Scalar::Called(a) => format!("bump({})", self.scalar(a)),
-            Scalar::Table(a, rows, goes_on) => {
-                let column = |i: usize| {
-                    let column = rows.iter().map(|row| row[i].text.as_str());
-                    column.collect::<Vec<_>>().join(", ")
-                };
-                let word = if *goes_on { ", extrapolated" } else { "" };
-                let [places, values] = [column(0), column(1)];
-                format!("table({}, [{places}], [{values}]{word})", self.scalar(a))
+            Scalar::Table(a, rows, course) => {
+                let [places, values] = [0, 1].map(|i| list(rows.iter().map(|row| &row[i])));
+                let words = words(*course);
+                format!("table({}, {places}, {values}{words})", self.scalar(a))
+            }
+            Scalar::Grid(at, grid, course) => {
+                let [x, y] = at.each_ref().map(|a| self.scalar(a));
+                let [along, across] = grid.places.each_ref().map(|places| list(places.iter()));
+                let rows = grid.values.iter().map(|row| list(row.iter()));
+                let rows = rows.collect::<Vec<_>>().join(", ");
+                let words = words(*course);
+                format!("table({x}, {y}, {along}, {across}, [{rows}]{words})")
             }
             Scalar::Time => "t".to_owned(),
             Scalar::Mass => "mass".to_owned(),
@@ -50,6 +54,7 @@ impl Writer<'_> {
             }
             Scalar::Angle => "attitude".to_owned(),
             Scalar::AngularRate => "angular_velocity".to_owned(),
+            Scalar::AngularAcceleration => "angular_acceleration".to_owned(),
             Scalar::Attitude(i) => format!("attitude.{}", ["w", "i", "j", "k"][*i]),
             Scalar::Component(vector, axes, i) => {
                 let (vector, axis) = (self.vector_operand(vector), ["x", "y", "z"][*i]);
@@ -122,6 +127,9 @@ impl Writer<'_> {
             Vector::Position => "position".to_owned(),
             Vector::Velocity => "velocity".to_owned(),
             Vector::AngularVelocity => "angular_velocity".to_owned(),
+            Vector::Acceleration => "acceleration".to_owned(),
+            Vector::AngularAcceleration => "angular_acceleration".to_owned(),
+            Vector::PointAcceleration(place) => format!("{}.acceleration()", self.place(place)),
             Vector::Axis => "axis".to_owned(),
             Vector::AxisRate => "axis_rate".to_owned(),
             Vector::PointPosition(place) => format!("{}.position()", self.place(place)),
@@ -148,4 +156,18 @@ fn unary(function: Unary) -> String {
 
 fn binary(function: Binary) -> String {
     format!("{function:?}").to_lowercase()
+}
+
+fn list<'a>(literals: impl Iterator<Item = &'a Literal>) -> String {
+    let texts: Vec<&str> = literals.map(|literal| literal.text.as_str()).collect();
+    format!("[{}]", texts.join(", "))
+}
+
+fn words(course: Course) -> &'static str {
+    match (course.is_cubic, course.is_extrapolated) {
+        (false, false) => "",
+        (false, true) => ", extrapolated",
+        (true, false) => ", cubic",
+        (true, true) => ", cubic, extrapolated",
+    }
 }

@@ -2,6 +2,7 @@
 
 use proc_macro2::Ident;
 
+use crate::errors::similar;
 use crate::model::{Attitude, Dimension, Frame, Meaning, Point, Variable, Vector};
 use crate::symbolic::{Components, Number, Stage};
 
@@ -108,11 +109,14 @@ impl Lowering<'_> {
                 let of_body = self.members.with_body(&word).filter(|_| self.is_whole);
                 of_body.map_or_else(
                     || {
-                        let hint = self.members.hint(&word, self.scope.known());
-                        let advice = if hint.is_empty() {
-                            of_rust(&word)
+                        let constant = is_constant(&word)
+                            && !self.scope.known().any(|known| {
+                                is_constant(known) && similar(&word, [known]).is_some()
+                            });
+                        let advice = if constant {
+                            self.of_rust(&word)
                         } else {
-                            hint
+                            self.members.hint(&word, self.scope.known())
                         };
                         format!("nothing here is called `{word}`{advice}")
                     },
@@ -121,6 +125,16 @@ impl Lowering<'_> {
             }
         };
         self.report(name.span(), message)
+    }
+
+    /// How a name in capitals is declared.
+    fn of_rust(&self, word: &str) -> String {
+        let mut name = word.to_lowercase();
+        if self.scope.known().any(|known| known == name) {
+            name.push_str("_given");
+        }
+        let form = format!("constants: [{name} = {word}[m]]");
+        format!("; a constant of Rust is declared with its unit, as in `{form}`")
     }
 
     fn absent(&mut self, name: &Ident, what: &str) -> Option<Value> {
@@ -211,14 +225,7 @@ impl Lowering<'_> {
     }
 }
 
-/// The probable meaning of a name in capitals.
-fn of_rust(word: &str) -> String {
-    let is_capital = |letter: char| !letter.is_lowercase();
-    if word.len() < 2 || !word.chars().all(is_capital) {
-        return String::new();
-    }
-    let name = word.to_lowercase();
-    format!(
-        "; a constant of Rust is declared with its unit, as in `constants: [{name} = {word}[m]]`"
-    )
+/// Whether a name looks like that of a constant of Rust.
+fn is_constant(word: &str) -> bool {
+    word.len() > 1 && word.chars().all(|letter| !letter.is_lowercase())
 }

@@ -83,6 +83,10 @@ fn check_not_moving(declaration: &Declaration, message: &str, errors: &mut Error
     }
 }
 
+/// Lists of names that need no value.
+const DECLARED: [&str; 4] = ["params", "inputs", "states", "outputs"];
+
+/// The name of an entry, and the rest.
 pub fn parse_name<'t>(
     into: &mut Description,
     key: &str,
@@ -97,6 +101,22 @@ pub fn parse_name<'t>(
                 word.span(),
                 format!("every entry has a name: write `name = {word}(..)`"),
             )
+        }
+        [TokenTree::Ident(word), TokenTree::Ident(name), ..]
+            if matches!(word.to_string().as_str(), "let" | "const" | "static") =>
+        {
+            errors.push(
+                word.span(),
+                format!("entries are written without `{word}`: write `{name} = ..`"),
+            );
+            parse_name(into, key, &entry[1..], errors)
+        }
+        [TokenTree::Ident(word), TokenTree::Punct(sign), ..]
+            if !DECLARED.contains(&key) && "+-*/.".contains(sign.as_char()) =>
+        {
+            let message = format!("every entry has a name: write `name = {word} {sign} ..`");
+            let message = message.replace(" . ..", "...");
+            errors.report(word.span(), message)
         }
         [TokenTree::Ident(name), rest @ ..] => {
             let what = if key == "outputs" {

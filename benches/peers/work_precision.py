@@ -4,7 +4,7 @@
     taskset --cpu-list 0 python3 benches/peers/work_precision.py target/measures/peers.csv
     taskset --cpu-list 0 target/release/examples/work_precision --full target/measures/peers.csv
 
-With the word `systems`, those alone; `--systems` tells the same to the example.
+With the word `systems`, those alone; `--systems` tells the same to the example. Likewise `ensembles` and `--ensembles`.
 
 heyoka: error control with its default order for each tolerance, `compact_mode` off, one integrator for all runs of a tolerance; building it
 is not timed. In batches each member has its own steps. MuJoCo: fixed steps, what it can describe: bodies that turn freely or on
@@ -483,16 +483,19 @@ def main(path, only=None):
     steps = [s for k in range(2, 22) for s in (1 << k, 3 << (k - 1))]
     integrators = [("MuJoCo, RK4", mujoco.mjtIntegrator.mjINT_RK4), ("MuJoCo, implicitfast", mujoco.mjtIntegrator.mjINT_IMPLICITFAST)]
     bodies = [] if only == "systems" else problems()
-    for problem in itertools.chain(systems(), bodies):
+    for problem in bodies if only == "ensembles" else itertools.chain(systems(), bodies):
+        is_batched = problem.name in ["lagrange_nutation", "heavy_asym"]
+        if is_batched:
+            batches = swept(f"heyoka, {MEMBERS} in a batch", lambda tolerance: Batch(problem, tolerance), TOLERANCES)
+            name = f"{problem.name}, ensembles"
+            measured(name, problem.seconds * MEMBERS, batches, lines.append)
+        if only == "ensembles":
+            continue
         runs = [swept("heyoka", lambda tolerance: Heyoka(problem, tolerance), problem.tolerances)]
         if problem.model:
             for name, integrator in integrators:
                 runs.append(swept(name, lambda count, integrator=integrator: MuJoCo(problem, integrator, count), steps))
         measured(problem.name, problem.seconds, itertools.chain(*runs), lines.append)
-        if problem.name in ["lagrange_nutation", "heavy_asym"]:
-            batches = swept(f"heyoka, {MEMBERS} in a batch", lambda tolerance: Batch(problem, tolerance), TOLERANCES)
-            name = f"{problem.name}, ensembles"
-            measured(name, problem.seconds * MEMBERS, batches, lines.append)
         print(f"{problem.name}: done")
     Path(path).parent.mkdir(parents=True, exist_ok=True)
     Path(path).write_text("\n".join(lines) + "\n")

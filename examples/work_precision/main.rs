@@ -8,6 +8,7 @@
 //! cargo run --release --example work_precision                  # a few seconds
 //! cargo run --release --example work_precision -- --full        # a few minutes: smaller errors, more bodies, more rounds
 //! cargo run --release --example work_precision -- --full --systems     # systems of bodies alone
+//! cargo run --release --example work_precision -- --full --ensembles   # ensembles alone
 //! cargo run --release --example work_precision -- --full target/measures/peers.csv
 //! ```
 //!
@@ -68,19 +69,28 @@ const MANY: Care = Care {
 fn main() -> Result<(), Box<dyn Error>> {
     let (flags, files): (Vec<String>, Vec<String>) =
         env::args().skip(1).partition(|word| word.starts_with("--"));
-    let [mut is_full, mut only_systems] = [false; 2];
+    let [mut is_full, mut only_systems, mut only_ensembles] = [false; 3];
     for flag in &flags {
         match flag.as_str() {
             "--full" => is_full = true,
             "--systems" => only_systems = true,
-            _ => return Err(format!("only --full, --systems and files, not {flag}").into()),
+            "--ensembles" => only_ensembles = true,
+            _ => {
+                let known = "--full, --systems, --ensembles";
+                return Err(format!("only {known} and files, not {flag}").into());
+            }
         }
     }
     let care = if is_full { FULL } else { QUICK };
 
-    let mut curves = systems::all(care);
-    if !only_systems {
+    let mut curves = Vec::new();
+    if !only_ensembles {
+        curves.extend(systems::all(care));
+    }
+    if !only_systems && !only_ensembles {
         curves.extend(problems::all(care));
+    }
+    if !only_systems {
         curves.extend(ensemble::tops(care, 8));
         if is_full {
             curves.extend(ensemble::tops(MANY, 1024));

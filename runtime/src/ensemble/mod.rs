@@ -24,6 +24,7 @@ mod moves;
 mod plan;
 #[cfg(feature = "progress")]
 mod progress;
+mod statistics;
 mod ways;
 #[cfg(feature = "serde")]
 mod written;
@@ -34,6 +35,7 @@ pub use events::MemberEvent;
 pub use integration::EnsembleIntegration;
 pub use moves::{MemberError, Moves, OneByOne, Together};
 pub use plan::Limits;
+pub use statistics::{Moments, Statistics, shard};
 
 /// Bodies of one kind that move independently of each other.
 ///

@@ -446,23 +446,23 @@ fn numbers_of_num_dual() {
     }
     // the functions that are not that crate's own
     let x = |value: f64| NumDual(Dual64::from_re(value).derivative());
-    let parts = |number: NumDual<Dual64>| [number.0.re, number.0.eps];
-    assert_eq!(parts(x(-2.0).abs()), [2.0, -1.0]);
-    assert_eq!(parts(x(-2.5).floor()), [-3.0, 0.0]);
-    assert_eq!(parts(x(-2.5).signum()), [-1.0, 0.0]);
+    let parts = |number: NumDual<Dual64>| (number.0.re, number.0.eps);
+    assert_eq!(parts(x(-2.0).abs()), (2.0, -1.0));
+    assert_eq!(parts(x(-2.5).floor()), (-3.0, 0.0));
+    assert_eq!(parts(x(-2.5).signum()), (-1.0, 0.0));
     for size in [1.0, 1e200] {
-        let [length, slope] = parts(x(3.0 * size).hypot(NumDual(Dual64::from(4.0 * size))));
+        let (length, slope) = parts(x(3.0 * size).hypot(NumDual(Dual64::from(4.0 * size))));
         assert!(close(length / size, 5.0) && close(slope, 0.6));
     }
     assert_eq!(
         parts(x(-2.0).powf(NumDual(Dual64::from(3.0)))),
-        [-8.0, 12.0]
+        (-8.0, 12.0)
     );
-    assert_eq!(parts(x(2.0).min(NumDual(Dual64::from(3.0)))), [2.0, 1.0]);
-    assert_eq!(parts(x(2.0).max(NumDual(Dual64::from(3.0)))), [3.0, 0.0]);
+    assert_eq!(parts(x(2.0).min(NumDual(Dual64::from(3.0)))), (2.0, 1.0));
+    assert_eq!(parts(x(2.0).max(NumDual(Dual64::from(3.0)))), (3.0, 0.0));
     assert_eq!(
         parts(x(f64::NAN).max(NumDual(Dual64::from(3.0)))),
-        [3.0, 0.0]
+        (3.0, 0.0)
     );
 }
 

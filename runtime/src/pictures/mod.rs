@@ -14,8 +14,8 @@
 //!
 //! let spin = [0.02, 9.0, 0.0].into();
 //! let start = Spatial { angular_velocity: spin, ..Spatial::default() };
-//! let samples = Handle::default().integrate(&start).samples(6.0, 0.02);
-//! let samples = samples.collect::<Result<Vec<_>, _>>()?;
+//! let handle = Handle::default();
+//! let samples = handle.integrate(&start).samples(6.0, 0.02).collect::<Result<Vec<_>, _>>()?;
 //!
 //! Plot::of(&samples, &["angular_velocity"])?.write("spin.svg")?;
 //! Page::of(&samples)

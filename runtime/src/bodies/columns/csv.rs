@@ -33,7 +33,8 @@ use super::names::Named;
 /// });
 ///
 /// let thrown = PlanarTranslation { velocity: [1.0, 2.0].into(), ..PlanarTranslation::default() };
-/// let samples = Stone::default().integrate(&thrown).samples(0.5, 0.25);
+/// let stone = Stone::default();
+/// let samples = stone.integrate(&thrown).samples(0.5, 0.25);
 /// let table = Csv::rows(samples.map_while(Result::ok)).to_string();
 /// assert!(table.starts_with("time,position.x,position.y,velocity.x,velocity.y\n0,0,0,1,2\n0.25,"));
 /// ```

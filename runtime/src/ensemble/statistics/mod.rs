@@ -115,7 +115,7 @@ impl<C: Columns<f64>> FromIterator<C> for Statistics<C> {
 
 /// The number of members that one thread takes at a time.
 #[cfg(feature = "rayon")]
-const PART: usize = 4096;
+const PART: usize = 256;
 
 impl<B: Generic> Ensemble<B> {
     /// Means, variances and extremes of the states of all members.

@@ -67,7 +67,7 @@
 //! - `ensemble`: many bodies at once, in registers of two, four or eight numbers, chosen at run
 //!   time; it allocates.
 //! - `rayon`: ensembles on all processor cores.
-//! - `progress`: a progress bar for long runs.
+//! - `progress`: a progress bar for motions that take longer than a second, in terminals.
 //! - `stl`: mass, center of mass and inertia of closed meshes, from STL files
 //!   ([`inertia::MassProperties`]); it needs `std`.
 //! - `pictures`: plots of samples as SVG, and pages with moving solids; it needs `std`.
@@ -84,7 +84,7 @@
 
 #[cfg(any(feature = "ensemble", feature = "stl"))]
 extern crate alloc;
-#[cfg(feature = "pictures")]
+#[cfg(any(feature = "pictures", feature = "progress"))]
 extern crate std;
 
 mod bodies;

@@ -5,7 +5,7 @@
 //! the build needs no flags. A member moves as it would alone, to the bit, whatever
 //! its neighbors, the width of registers and the number of threads.
 //!
-//! The feature `rayon` uses all processor cores; `progress` shows a bar for long runs.
+//! The feature `rayon` uses all processor cores; `progress` shows a bar for long runs, in terminals.
 
 use alloc::vec::Vec;
 use core::fmt;

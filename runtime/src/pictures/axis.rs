@@ -16,13 +16,22 @@ pub(super) struct Axis {
 
 /// The largest numbers that are shown: differences of larger ones may overflow.
 const LARGEST: f64 = 1e300;
+/// Smaller ones are shown as zero: parts of them may be none.
+const SMALLEST: f64 = 1e-290;
 
 impl Axis {
     /// An axis for some numbers; those that are not finite do not count.
     pub(super) fn covering(numbers: impl Iterator<Item = f64>, [from, to]: [f64; 2]) -> Self {
         let finite = numbers.filter(|number| number.is_finite());
         let (mut low, mut high) = finite
-            .map(|number| number.clamp(-LARGEST, LARGEST))
+            .map(|number| {
+                let is_visible = number.abs() >= SMALLEST;
+                if is_visible {
+                    number.clamp(-LARGEST, LARGEST)
+                } else {
+                    0.0
+                }
+            })
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), number| {
                 (low.min(number), high.max(number))
             });

@@ -156,15 +156,16 @@ impl<'s, S> Plot<'s, S> {
 
     /// The curves of a unit, and the space for their labels.
     fn panel(&self, unit: &str) -> Panel<'_> {
-        let curves = self.curves.iter().enumerate();
-        let curves: Vec<_> = curves.filter(|(_, curve)| curve.unit == unit).collect();
-        let only: Vec<&Curve> = curves.iter().map(|(_, curve)| *curve).collect();
-        let (name, labels) = short_names(&only);
-        let numbers = only.iter().flat_map(|curve| curve.numbers.iter().copied());
+        let curves = self.curves.iter();
+        let curves: Vec<_> = curves.filter(|curve| curve.unit == unit).collect();
+        let (name, labels) = short_names(&curves);
+        let numbers = curves
+            .iter()
+            .flat_map(|curve| curve.numbers.iter().copied());
         let up = Axis::covering(numbers, [HEIGHT, 0.0]).widened(0.06);
         let length = labels.iter().map(|label| label.chars().count()).max();
         Panel {
-            left: 46.0 + SIGN * real(up.ticks(5).width()),
+            left: 46.0 + SIGN * real(up.ticks(6).width()),
             right: 16.0 + SIGN * real(length.unwrap_or(0)),
             unit: unit.to_string(),
             name,
@@ -184,7 +185,7 @@ impl<'s, S> Plot<'s, S> {
         let numbers = panel
             .curves
             .iter()
-            .flat_map(|(_, curve)| curve.numbers.iter().copied());
+            .flat_map(|curve| curve.numbers.iter().copied());
         let height = (across[1] - across[0]) * 0.8;
         let up = Axis::covering(numbers, [height, 0.0]).widened(0.04);
         let scale = x.scale().min(up.scale());
@@ -207,7 +208,7 @@ impl<'s, S> Plot<'s, S> {
                 height + 15.0
             );
         }
-        let up = y.ticks(5);
+        let up = y.ticks(6);
         for (number, text) in &up.all {
             let place = y.place(*number);
             let _ = write!(
@@ -231,11 +232,11 @@ impl<'s, S> Plot<'s, S> {
             Escaped(&up.label(&panel.name, &panel.unit)),
         );
         let mut ends = Vec::new();
-        for (order, (place, curve)) in panel.curves.iter().enumerate() {
+        for (order, curve) in panel.curves.iter().enumerate() {
             let points = self.across.numbers.iter().zip(&curve.numbers);
             let mut points = points.map(|(across, up)| [x.place(*across), y.place(*up)]);
             let path = path(points.clone());
-            let (color, dash) = (place % COLORS.len(), place / COLORS.len() % DASHES.len());
+            let (color, dash) = (order % COLORS.len(), order / COLORS.len() % DASHES.len());
             let dash = match DASHES[dash] {
                 "" => String::new(),
                 dash => std::format!(" stroke-dasharray=\"{dash}\""),
@@ -321,8 +322,7 @@ struct Panel<'p> {
     unit: String,
     name: String,
     labels: Vec<String>,
-    /// With their places among all curves.
-    curves: Vec<(usize, &'p Curve)>,
+    curves: Vec<&'p Curve>,
     up: Axis,
     left: f64,
     right: f64,

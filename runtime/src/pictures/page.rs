@@ -20,7 +20,7 @@ use crate::integrate::Sample;
 const RULES: &str = "body{background:var(--ground);color:var(--ink);font:14px system-ui,sans-serif;\
 margin:24px auto;width:720px}h1{font-size:20px}.stage{position:relative;width:720px;height:420px;\
 overflow:hidden}.stage svg{position:absolute}.scene,.body,.body i{position:absolute;left:0;top:0;\
-transform-origin:0 0;transform-style:preserve-3d}.trail{opacity:.45;stroke-width:1.2}\
+transform-origin:0 0;transform-style:preserve-3d}.body i{backface-visibility:hidden}.trail{opacity:.45;stroke-width:1.2}\
 .cursor{stroke:var(--ink);opacity:.6}label{user-select:none}\
 #pause:checked~*,#pause:checked~* *{animation-play-state:paused!important}\
 @media(prefers-reduced-motion:reduce){*{animation-play-state:paused!important}}";

@@ -6,11 +6,14 @@
 //! Asserts: accelerations to 20 digits in one state; after twenty seconds two motions that begin
 //! 1e-9 rad apart have separated, and each has conserved its energy.
 //!
-//! `cargo run --release --example double_pendulum -- path.svg` also draws the first twelve seconds.
+//! `cargo run --release --example double_pendulum -- path.svg` also draws the path of the tip in the
+//! first twelve seconds; `-- motion.html` makes a page that shows the motion.
 
-use std::fmt::Write as _;
+use std::path::Path;
 
+use nalgebra::Vector3;
 use newton_euler::integrate::Sample;
+use newton_euler::pictures::{Page, Plot, Pose, Solid};
 use newton_euler::prelude::*;
 
 rigid_system!(DoublePendulum {
@@ -93,42 +96,41 @@ fn main() {
 
     if let Some(path) = std::env::args().nth(1) {
         let motion = pendulum.integrate(&start(2.6)).tolerance(1e-12);
-        let samples = motion.samples(12.0, 0.01);
-        let samples = samples.map(|sample| sample.expect("no switch, no wall"));
-        std::fs::write(&path, picture(&samples.collect::<Vec<_>>())).expect("a path to write to");
+        let samples = motion.samples(12.0, 0.01).collect::<Result<Vec<_>, _>>();
+        draw(&path, &samples.expect("no switch, no wall")).expect("a path to write to");
     }
 }
 
-/// Elbow and tip, in pixels: the lower arm ends as far below its center of mass as its hinge is
-/// above.
-fn places(state: &DoublePendulumState) -> [[f64; 2]; 2] {
-    let upper = state.shoulder.angle;
-    let lower = upper + state.elbow.angle;
-    let elbow = [0.6 * upper.cos(), 0.6 * upper.sin()];
-    let tip = [elbow[0] + 0.44 * lower.cos(), elbow[1] + 0.44 * lower.sin()];
-    [elbow, tip].map(|[x, y]| [230.0 + 200.0 * x, 230.0 - 200.0 * y])
-}
-
-/// The path of the tip, from light to dark, and the arms at the end.
-fn picture(samples: &[Sample<DoublePendulumState>]) -> String {
-    let mut drawn = String::from(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 460 460\" width=\"460\">\n\
-         <rect width=\"460\" height=\"460\" fill=\"white\"/>\n",
-    );
-    let duration = samples.last().map_or(1.0, |sample| sample.time);
-    for pair in samples.windows(2) {
-        let [[x, y], [to_x, to_y]] = [pair[0], pair[1]].map(|sample| places(&sample.state)[1]);
-        let _ = writeln!(
-            drawn,
-            "<path d=\"M{x:.1} {y:.1}L{to_x:.1} {to_y:.1}\" stroke=\"#0b5c8c\" opacity=\"{:.2}\"/>",
-            0.15 + 0.85 * pair[1].time / duration
-        );
+/// The path of the tip as SVG, or the motion of both arms as a page.
+fn draw(path: &str, samples: &[Sample<DoublePendulumState>]) -> std::io::Result<()> {
+    let upper = |state: &DoublePendulumState| Pose::planar([0.0; 2], state.shoulder.angle);
+    let lower = |state: &DoublePendulumState| {
+        let (sine, cosine) = state.shoulder.angle.sin_cos();
+        let elbow = [0.6 * cosine, 0.6 * sine];
+        Pose::planar(elbow, state.shoulder.angle + state.elbow.angle)
+    };
+    let tip = |state: &DoublePendulumState| {
+        let Pose { position, attitude } = lower(state);
+        position + attitude * Vector3::new(0.44, 0.0, 0.0)
+    };
+    let plot = Plot::empty(samples)
+        .against("x", "m", |_, state| tip(state).x)
+        .curve("y", "m", |_, state| tip(state).y)
+        .to_scale();
+    if Path::new(path)
+        .extension()
+        .is_none_or(|ending| ending != "html")
+    {
+        return plot.write(path);
     }
-    let [[x, y], [to_x, to_y]] = places(&samples[samples.len() - 1].state);
-    let _ = writeln!(
-        drawn,
-        "<path d=\"M230 230L{x:.1} {y:.1}L{to_x:.1} {to_y:.1}\" fill=\"none\" stroke=\"#c44e1a\" \
-         stroke-width=\"5\" stroke-linejoin=\"round\" stroke-linecap=\"round\"/>\n</svg>"
-    );
-    drawn
+    let arm = |length: f64| Solid::bar([0.0; 3], [length, 0.0, 0.0], 0.04);
+    let angles = Plot::of(samples, &["shoulder.angle", "elbow.angle"]);
+    Page::of(samples)
+        .title("A double pendulum")
+        .solid_at(arm(0.6), |_, state| upper(state))
+        .solid_at(arm(0.44), |_, state| lower(state))
+        .from_front()
+        .plot(angles.expect("two joints"))
+        .plot(plot)
+        .write(path)
 }

@@ -9,10 +9,13 @@
 //! Euler's solution with the arithmetic-geometric mean; the same formula gives the published
 //! 39.105734197268720854 for J = (1, 2, 3), ω = (0.01, 1, 0.01). `outputs: [flow]` gives the whole
 //! motion in closed form, at the ends of steps and at any other time.
+//!
+//! `cargo run --release --example t_handle -- motion.html` makes a page that shows the motion.
 
 use std::f64::consts::PI;
 
 use newton_euler::nalgebra::Vector3;
+use newton_euler::pictures::{Page, Solid};
 use newton_euler::{integrate, prelude::*};
 
 rigid_body!(Handle {
@@ -124,4 +127,23 @@ fn main() {
     println!("\n{}", Handle::EQUATIONS);
     println!("\nWithout the products of ω, as (1.9) is printed, principal axes leave J ω̇ = 0:");
     println!("ω would keep its components in the body for ever, and the handle never flip.");
+
+    if let Some(file) = std::env::args().nth(1) {
+        let samples: Vec<_> = handle
+            .integrate(&start)
+            .samples(6.0, 0.02)
+            .flatten()
+            .collect();
+        // the stem is half as heavy as the bar: G is a third of the way along it
+        let [near, far] = [-stem_length / 6.0, stem_length * 5.0 / 6.0];
+        let stem = Solid::bar([near, 0.0, 0.0], [far, 0.0, 0.0], 8e-3);
+        let half = bar_length / 2.0;
+        let bar = Solid::bar([near, -half, 0.0], [near, half, 0.0], 8e-3);
+        let page = Page::of(&samples)
+            .title("A T-handle that flips")
+            .solid(stem.and(bar))
+            .curves(&["angular_velocity"])
+            .expect("a column of a rotation");
+        page.speed(0.5).write(file).expect("a path to write to");
+    }
 }

@@ -396,3 +396,122 @@ fn derivatives_at_rest() {
     ];
     assert_eq!([zero.sqrt().derivatives, length.derivatives], [[0.0]; 2]);
 }
+
+/// The numbers of another crate give the derivatives of ours, and second ones that ours give when nested.
+#[test]
+fn numbers_of_num_dual() {
+    use newton_euler::scalar::NumDual;
+    use num_dual::{Dual2_64, Dual64};
+
+    /// Lists the numbers of an acceleration.
+    fn list<T: Scalar>(acceleration: generic::SpatialAcceleration<T>) -> [T; 6] {
+        let ([a, b, c], [x, y, z]) = (acceleration.linear.into(), acceleration.angular.into());
+        [a, b, c, x, y, z]
+    }
+
+    /// The acceleration of a craft whose first velocity and tilt are given.
+    fn accelerated<T: Scalar>(speed: T, tilt: T, time: T) -> [T; 6] {
+        let mut state = state::<T>([
+            0.3, -0.2, -0.4, 0.0, 0.7, -1.1, 0.4, 0.2, -0.6, 0.1, 0.5, -0.3, 0.8,
+        ]);
+        state.velocity.x = speed;
+        let thrust = time.constant(4.0, 4.0);
+        list(Craft::<T>::default().acceleration(time, &state, &CraftInput { thrust, tilt }))
+    }
+
+    type Twice = Dual<Dual<f64, 1>, 1>;
+    let close = |one: f64, other: f64| (one - other).abs() <= 1e-13 * (1.0 + other.abs());
+    let theirs = accelerated(
+        NumDual(Dual64::from_re(1.3).derivative()),
+        NumDual(Dual64::from(0.4)),
+        NumDual::default(),
+    );
+    let ours = accelerated::<Derived>(Dual::variable(1.3, 0), Dual::from(0.4), Dual::from(0.0));
+    for (theirs, ours) in theirs.iter().zip(ours) {
+        assert!(close(theirs.0.re, ours.value) && close(theirs.0.eps, ours.derivatives[0]));
+    }
+    let second = accelerated(
+        NumDual(Dual2_64::from_re(1.3).derivative()),
+        NumDual(Dual2_64::from(0.4)),
+        NumDual::default(),
+    );
+    let mut speed = Twice::variable(Dual::variable(1.3, 0), 0);
+    speed.derivatives[0] = Dual::from(1.0);
+    let ours = accelerated::<Twice>(speed, Dual::from(Dual::from(0.4)), Dual::default());
+    for (theirs, ours) in second.iter().zip(ours) {
+        assert!(
+            close(theirs.0.v2, ours.derivatives[0].derivatives[0]),
+            "{theirs:?} {ours:?}"
+        );
+    }
+    // the functions that are not that crate's own
+    let x = |value: f64| NumDual(Dual64::from_re(value).derivative());
+    let parts = |number: NumDual<Dual64>| (number.0.re, number.0.eps);
+    assert_eq!(parts(x(-2.0).abs()), (2.0, -1.0));
+    assert_eq!(parts(x(-2.5).floor()), (-3.0, 0.0));
+    assert_eq!(parts(x(-2.5).signum()), (-1.0, 0.0));
+    for size in [1.0, 1e200] {
+        let (length, slope) = parts(x(3.0 * size).hypot(NumDual(Dual64::from(4.0 * size))));
+        assert!(close(length / size, 5.0) && close(slope, 0.6));
+    }
+    assert_eq!(
+        parts(x(-2.0).powf(NumDual(Dual64::from(3.0)))),
+        (-8.0, 12.0)
+    );
+    assert_eq!(parts(x(2.0).min(NumDual(Dual64::from(3.0)))), (2.0, 1.0));
+    assert_eq!(parts(x(2.0).max(NumDual(Dual64::from(3.0)))), (3.0, 0.0));
+    assert_eq!(
+        parts(x(f64::NAN).max(NumDual(Dual64::from(3.0)))),
+        (3.0, 0.0)
+    );
+}
+
+/// The error of a result in single precision, in units of the last place of the exact one.
+fn units_off(result: f32, exact: f64) -> f64 {
+    #[expect(clippy::cast_possible_truncation, reason = "to single precision")]
+    let near = (exact as f32).abs();
+    let unit = f64::from(near.next_up()) - f64::from(near);
+    (f64::from(result) - exact).abs() / unit
+}
+
+/// Sine and cosine in single precision are own code, without doubles: compared with those of doubles at angles of all sizes.
+#[test]
+fn sines_in_single_precision() {
+    let mut worst = [0.0_f64; 3];
+    let mut check = |place: usize, angle: f32| {
+        let (sine, cosine) = Scalar::sin_cos(angle);
+        let exact = f64::from(angle).sin_cos();
+        let off = units_off(sine, exact.0).max(units_off(cosine, exact.1));
+        worst[place] = worst[place].max(off);
+        assert_eq!((Scalar::sin(angle), Scalar::cos(angle)), (sine, cosine));
+        let opposite = Scalar::sin_cos(-angle);
+        assert_eq!(
+            (opposite.0.to_bits(), opposite.1),
+            ((-sine).to_bits(), cosine),
+            "{angle}"
+        );
+    };
+    for bits in (0..100_f32.to_bits()).step_by(2003) {
+        check(0, f32::from_bits(bits));
+    }
+    for bits in (100_f32.to_bits()..f32::INFINITY.to_bits()).step_by(2003) {
+        check(1, f32::from_bits(bits));
+    }
+    // next to multiples of a quarter turn, where next to nothing is left
+    for turns in (1..10_000_u32).chain((0..10_000).map(|k| 400_000 * k + 10_000)) {
+        let exact = f64::from(turns) * std::f64::consts::FRAC_PI_2;
+        #[expect(clippy::cast_possible_truncation, reason = "to single precision")]
+        let near = exact as f32;
+        for angle in [near.next_down(), near, near.next_up()] {
+            check(2, angle);
+        }
+    }
+    assert!(
+        worst[0] < 0.8 && worst[1] < 0.85 && worst[2] < 0.85,
+        "{worst:?}"
+    );
+    for angle in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        let (sine, cosine) = Scalar::sin_cos(angle);
+        assert!(sine.is_nan() && cosine.is_nan());
+    }
+}

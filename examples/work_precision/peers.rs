@@ -1,6 +1,9 @@
 //! What else one would reach for, in Rust. Each is a function from a problem to a method, and a line in the lists.
 
+mod buss;
 mod dop853;
+mod jolt;
+mod moser_veselov;
 mod munthe_kaas;
 mod runge_kutta;
 mod splitting;
@@ -32,7 +35,13 @@ where
 
 /// Those for bodies that only turn.
 pub fn turning<L: Load>(problem: &Problem<Turning<L>>) -> Vec<Method<'_, Rotation>> {
-    vec![munthe_kaas::method(problem), splitting::method(problem)]
+    vec![
+        munthe_kaas::method(problem),
+        splitting::method(problem),
+        buss::method(problem),
+        moser_veselov::method(problem),
+        jolt::method(problem),
+    ]
 }
 
 /// What the others are compared with.

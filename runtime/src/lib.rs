@@ -69,9 +69,14 @@
 //! - `ensemble`: many bodies at once, in registers of two, four or eight numbers, chosen at run
 //!   time; it allocates.
 //! - `rayon`: ensembles on all processor cores.
-//! - `progress`: a progress bar for long runs.
+//! - `progress`: a progress bar for motions that take longer than a second, in terminals.
 //! - `stl`: mass, center of mass and inertia of closed meshes, from STL files
 //!   ([`inertia::MassProperties`]); it needs `std`.
+//! - `pictures`: plots of samples as SVG, and pages with moving solids; it needs `std`.
+//! - `glam`, `mint`: the vectors, attitudes and matrices of states as those of these crates and back,
+//!   by nalgebra's `From` and `Into`; `glam` is that of version 0.33.
+//! - `num-dual`: the numbers of the crate of that name as scalars ([`scalar::NumDual`]); it needs
+//!   `std`.
 //! - `differential-equations`: the equations of a body for the methods of the crate of that name
 //!   ([`integrate::Equations`])
 
@@ -83,6 +88,8 @@
 
 #[cfg(any(feature = "ensemble", feature = "stl"))]
 extern crate alloc;
+#[cfg(any(feature = "pictures", feature = "progress"))]
+extern crate std;
 
 mod bodies;
 #[cfg(feature = "ensemble")]
@@ -92,6 +99,8 @@ pub mod guide;
 pub mod integrate;
 mod mechanics;
 mod numbers;
+#[cfg(feature = "pictures")]
+pub mod pictures;
 pub mod prelude;
 #[doc(hidden)]
 pub mod private;

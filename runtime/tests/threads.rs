@@ -1,7 +1,8 @@
 //! Ensembles in threads: the results do not depend on how many there are.
 
 use nalgebra::Vector3;
-use newton_euler::{ensemble::Ensemble, prelude::*};
+use newton_euler::ensemble::{Ensemble, Statistics};
+use newton_euler::prelude::*;
 
 rigid_body!(Handle::<T> {
     motion: rotation,
@@ -31,15 +32,17 @@ fn any_number_of_threads() {
             .build()
             .expect("threads");
         let mut ensemble = start.clone();
-        let accelerations = pool.install(|| {
+        let (accelerations, statistics) = pool.install(|| {
             ensemble.cf4(0.0..1.0, 20);
-            ensemble.accelerations(1.0)
+            (ensemble.accelerations(1.0), ensemble.statistics())
         });
-        (ensemble.states().clone(), accelerations)
+        (ensemble.states().clone(), accelerations, statistics)
     };
     let alone = run(1);
     assert!(run(2) == alone);
     assert!(run(5) == alone);
+    // and as in one sum
+    assert!(alone.0.iter().collect::<Statistics<_>>() == alone.2);
 }
 
 /// Nothing is shown where there is no terminal, and the run is the same.

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use modules::{Modules, Needs};
 
 /// What each room may import of the others: only what stands above it here.
-const ROOMS: [(&str, &str); 17] = [
+const ROOMS: [(&str, &str); 18] = [
     ("numbers", ""),
     ("mechanics", "numbers"),
     ("state", "numbers mechanics"),
@@ -30,6 +30,7 @@ const ROOMS: [(&str, &str); 17] = [
         "ensemble",
         "numbers state bodies integrate/steps integrate/methods integrate/course",
     ),
+    ("pictures", "state bodies integrate/course"),
     ("private", "numbers mechanics state bodies exact"),
     ("prelude", ""),
     ("guide", ""),

@@ -6,6 +6,7 @@ mod dual;
 mod lists;
 mod motions;
 mod scalars;
+mod shown;
 #[path = "../handwritten/mod.rs"]
 mod systems;
 mod written;

@@ -78,7 +78,7 @@ impl<B: Generic + Integrate<Best: Together<B>>> Ensemble<B> {
                 given: 0.0,
             },
             #[cfg(feature = "progress")]
-            shows_progress: false,
+            shows_progress: true,
         }
     }
 }
@@ -149,12 +149,12 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         }
     }
 
-    /// Shows a bar on standard error, with the progress of the motion and the remaining
-    /// time. Shows nothing if standard error is no terminal.
+    /// Shows no bar. By default, a motion that takes longer than a second shows one on standard
+    /// error, with its progress and the remaining time, if standard error is a terminal.
     #[cfg(feature = "progress")]
-    pub fn progress(self) -> Self {
+    pub fn quiet(self) -> Self {
         Self {
-            shows_progress: true,
+            shows_progress: false,
             ..self
         }
     }

@@ -5,7 +5,7 @@
 //! the build needs no flags. A member moves as it would alone, to the bit, whatever
 //! its neighbors, the width of registers and the number of threads.
 //!
-//! The feature `rayon` uses all processor cores; `progress` shows a bar for long runs.
+//! The feature `rayon` uses all processor cores; `progress` shows a bar for long runs, in terminals.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -24,6 +24,7 @@ mod moves;
 mod plan;
 #[cfg(feature = "progress")]
 mod progress;
+mod statistics;
 mod ways;
 #[cfg(feature = "serde")]
 mod written;
@@ -34,6 +35,7 @@ pub use events::MemberEvent;
 pub use integration::EnsembleIntegration;
 pub use moves::{MemberError, Moves, OneByOne, Together};
 pub use plan::Limits;
+pub use statistics::{Moments, Statistics, shard};
 
 /// Bodies of one kind that move independently of each other.
 ///

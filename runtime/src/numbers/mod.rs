@@ -6,4 +6,5 @@ pub mod lanes;
 pub mod math;
 pub mod scalar;
 pub(crate) mod scale;
+mod single;
 pub(crate) mod twofold;

@@ -7,7 +7,7 @@ pub use crate::bodies::body::{
     Balance, DrivenEnergy, DrivenMomentum, Energy, Flow, InvalidBody, Inverse, Jacobian,
     MassMatrix, Momentum, Reactions, Regressor, RigidBody, Singular,
 };
-pub use crate::bodies::columns::{Columns, Generic, Sink, Source};
+pub use crate::bodies::columns::{Columns, Generic, Named, Names, Sink, Source, bare, show};
 pub use crate::bodies::constrained::{Constrained, Inconsistent, Violation};
 pub use crate::bodies::linearization::{
     ByParams, Coordinated, Linearization, Linearized, Place, Sensitivity, place, rates_of_places,
@@ -50,10 +50,11 @@ pub mod order;
 mod path;
 mod pivots;
 mod projection;
+mod record;
 pub mod system;
 mod tables;
 
-pub use crate::__system_state as system_state;
+pub use {crate::__record as record, crate::__system_state as system_state};
 #[cfg(feature = "serde")]
 pub use {crate::__written as written, serde};
 

@@ -138,7 +138,7 @@ fn mass(
             given.params[offsets[i]] *= 0.5 + source.random.f64();
         }
     }
-    let constants = Constants::new(case.body, given.params.clone());
+    let constants = Constants::new(case.body, &given.params);
     let Some(other) = answer(&constants, &given, &sample.instant) else {
         return;
     };

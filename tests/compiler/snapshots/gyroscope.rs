@@ -31,6 +31,9 @@ mod equations_of_Gyroscope {
         /// `across` in kg * m ^ 2.
         pub across: f64,
     }
+    ::newton_euler::private::record! {
+        GyroscopeParams { "kg * m ^ 2" rotor : f64, "kg * m ^ 2" across : f64 }
+    }
     impl Gyroscope {
         /// The equations of motion, as evaluated.
         pub const EQUATIONS: &str = "# once, in the constructor\ninertia_about_support_xx = 0.0005 + across\nfrom_rotor_across = rotor / (rotor + 2.0 * inertia_about_support_xx - rotor)\ncoupling_x = (across - rotor + 0.0005) / inertia_about_support_xx\nfrom_across = 0.196133 / inertia_about_support_xx\nfrom_across_1 = -0.196133 / inertia_about_support_xx\nfrom_rotor_across_1 = 1.0 - from_rotor_across\n# at every evaluation\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = coupling_x * wz\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = wy * precession + from_across * (qy * qz + qw * qx)\nangular_y = from_across_1 * (qx * qz - qw * qy) - wx * precession\nangular_z = 0.0";

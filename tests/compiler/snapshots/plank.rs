@@ -29,6 +29,9 @@ mod equations_of_Plank {
         /// `length` in m.
         pub length: f64,
     }
+    ::newton_euler::private::record! {
+        PlankParams { "m" length : f64 }
+    }
     impl Plank {
         /// The equations of motion, as evaluated.
         pub const EQUATIONS: &str = "# once, in the constructor\nlength_squared = length * length\ninertia = 0.3333333333333333 * length_squared\nfrom_length = 0.16666666666666666 * length_squared\n# at every evaluation\nlinear_x = 0.0\nlinear_y = -9.80665\nangular = 0.0";

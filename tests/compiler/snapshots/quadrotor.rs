@@ -31,6 +31,9 @@ mod equations_of_Quadrotor {
         /// `drag_ratio` in m.
         pub drag_ratio: f64,
     }
+    ::newton_euler::private::record! {
+        QuadrotorParams { "m" arm : f64, "m" drag_ratio : f64 }
+    }
     /// Inputs of [`Quadrotor`] at each evaluation, in SI units.
     #[allow(clippy::struct_field_names)]
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -43,6 +46,10 @@ mod equations_of_Quadrotor {
         pub thrust_3: f64,
         /// `thrust_4` in N.
         pub thrust_4: f64,
+    }
+    ::newton_euler::private::record! {
+        QuadrotorInput { "N" thrust_1 : f64, "N" thrust_2 : f64, "N" thrust_3 : f64, "N"
+        thrust_4 : f64 }
     }
     impl Quadrotor {
         /// The equations of motion, as evaluated.

@@ -47,6 +47,7 @@ fn open_fields(outline: &Outline, open: &[(Ident, LoadKind)]) -> Vec<Field> {
             name: name.clone(),
             doc: format!(" `{name}` in {unit}."),
             kind,
+            unit: None,
         }
     });
     fields.collect()

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::emit::code::{Scalar, Values};
+use crate::emit::code::{Scalar, Values, private};
 use crate::model::Outline;
 
 /// `BodyReactions { elbow: Wrench, .. }`: its suffix to the name of the body, and its fields.
@@ -19,6 +19,8 @@ pub struct Field {
     pub name: Ident,
     pub doc: String,
     pub kind: TokenStream,
+    /// Its unit, if it is a declared quantity.
+    pub unit: Option<String>,
 }
 
 impl Field {
@@ -28,6 +30,7 @@ impl Field {
             name: name.clone(),
             doc: format!(" `{name}`"),
             kind,
+            unit: None,
         }
     }
 }
@@ -47,13 +50,32 @@ impl Record {
         let default = self.has_default.then(|| quote!(Default,));
         let lints = lints(self.fields.iter().map(|field| &field.name));
         let fields = self.fields.iter();
-        let fields = fields.map(|Field { name, doc, kind }| quote!(#[doc = #doc] pub #name: #kind));
+        let fields = fields.map(
+            |Field {
+                 name, doc, kind, ..
+             }| quote!(#[doc = #doc] pub #name: #kind),
+        );
+        let written = self.written(outline);
         quote! {
             #[doc = #doc]
             #lints
             #[derive(Clone, Copy, Debug, #default PartialEq)]
             pub struct #name #generics { #(#fields,)* #empty }
+            #written
         }
+    }
+
+    /// `record! { BodyParams { "m" length: f64, .. } }`, for declared quantities: the runtime gives
+    /// them names, and serialization if it has that feature.
+    fn written(&self, outline: &Outline) -> Option<TokenStream> {
+        let (name, private, scalar) = (self.name(outline), private(outline), &outline.scalar);
+        let fields = self.fields.iter().map(|field| {
+            let (name, kind, unit) = (&field.name, &field.kind, field.unit.as_ref()?);
+            Some(quote!(#unit #name: #kind))
+        });
+        let fields = fields.collect::<Option<Vec<_>>>()?;
+        let scalar = scalar.iter();
+        Some(quote!(#private::record! { #name #(<#scalar>)* { #(#fields),* } }))
     }
 
     /// The struct, with each field, by its index, filled from the next values.

@@ -21,6 +21,7 @@ fn declared_fields(outline: &Outline, declared: &[Declared]) -> Vec<Field> {
             None => shapes.scalar.kind(),
             Some(_) => shapes.vector_type(),
         },
+        unit: Some(declared.plain_unit()),
     });
     fields.collect()
 }
@@ -123,7 +124,9 @@ fn emit_state(outline: &Outline) -> Option<TokenStream> {
         let kind = format_ident!("{}", shape.state);
         let second = shapes.joint_acceleration_type(shape);
         let [first_doc, second_doc] = docs_of_part(outline, name);
-        quote!(#[doc = #first_doc] #name: #kind #[doc = #second_doc] => #second)
+        let own = outline.states.iter().find(|state| state.name == *name);
+        let unit = own.map(Declared::plain_unit).into_iter();
+        quote!(#[doc = #first_doc] #name: #kind #(#unit)* #[doc = #second_doc] => #second)
     });
     let lints = snake_case(all.iter().map(|(name, _)| name)).into_iter();
     let lints: TokenStream = lints.map(|lint| quote!(#[allow(#lint)])).collect();

@@ -267,6 +267,16 @@ impl Declared {
         unit.map_or_else(|| self.dimension.to_string(), Unit::to_string)
     }
 
+    /// The same, empty for a pure number.
+    pub fn plain_unit(&self) -> String {
+        let is_number = [Dimension::NONE, Dimension::ANY].contains(&self.dimension);
+        if self.unit.is_none() && is_number {
+            String::new()
+        } else {
+            self.shown_unit()
+        }
+    }
+
     /// The unit of its rate.
     pub fn shown_rate(&self) -> String {
         let rate = self.unit.clone().and_then(Unit::per_second);

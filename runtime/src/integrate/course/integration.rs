@@ -71,7 +71,7 @@ pub trait Integrate: RigidBody<Scalar = f64> + Sized {
                 breaks: core::iter::empty(),
             },
             #[cfg(feature = "progress")]
-            shows_progress: false,
+            shows_progress: true,
         }
     }
 }
@@ -253,12 +253,12 @@ where
         }
     }
 
-    /// Shows a bar on standard error, with the progress of the motion and the remaining
-    /// time. Shows nothing if standard error is no terminal.
+    /// Shows no bar. By default, a motion that takes longer than a second shows one on standard
+    /// error, with its progress and the remaining time, if standard error is a terminal.
     #[cfg(feature = "progress")]
-    pub fn progress(self) -> Self {
+    pub fn quiet(self) -> Self {
         Self {
-            shows_progress: true,
+            shows_progress: false,
             ..self
         }
     }

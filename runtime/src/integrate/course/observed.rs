@@ -8,6 +8,7 @@ use super::control::Control;
 use super::instants::Instants;
 use super::{Course, Outcome};
 use crate::bodies::body::RigidBody;
+use crate::bodies::columns::{Columns, Named, Names, Sink, Source};
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::event::{Event, Search};
 use crate::integrate::steps::method::Run;
@@ -19,6 +20,26 @@ pub struct Sample<S> {
     pub time: f64,
     /// The state at this time.
     pub state: S,
+}
+
+impl<S: Columns<f64>> Columns<f64> for Sample<S> {
+    const COUNT: usize = 1 + S::COUNT;
+
+    fn read(source: &mut impl Source<f64>) -> Self {
+        let time = source.take();
+        let state = S::read(source);
+        Self { time, state }
+    }
+
+    fn write(&self, sink: &mut impl Sink<f64>) {
+        sink.put(self.time);
+        self.state.write(sink);
+    }
+}
+
+/// The time, and the columns of the state.
+impl<S: Named> Named for Sample<S> {
+    const NAMES: Names = Names::Parts(&[("time", Names::Number("s")), ("", S::NAMES)]);
 }
 
 /// States at equal intervals: see [`Integration::samples`](crate::integrate::Integration::samples).

@@ -1,7 +1,7 @@
-//! Doubles and single precision, with the elementary functions of libm.
+//! Doubles, with the elementary functions of libm, and single precision, with its own sine.
 
 use super::Scalar;
-use crate::numbers::math;
+use crate::numbers::{math, single};
 
 /// `Scalar` for a primitive type: which of the two constants it takes, its sine and cosine, and all
 /// other functions.
@@ -88,9 +88,9 @@ primitive!(f64, |double, _| double, math::sin_cos, {
     max(other) = math::max;
 });
 
-primitive!(f32, |_, single| single, libm::sincosf, {
-    sin() = libm::sinf;
-    cos() = libm::cosf;
+primitive!(f32, |_, single| single, single::sin_cos, {
+    sin() = single::sin;
+    cos() = single::cos;
     tan() = libm::tanf;
     asin() = libm::asinf;
     acos() = libm::acosf;

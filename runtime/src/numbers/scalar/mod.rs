@@ -12,8 +12,12 @@ use core::ops::{
 
 mod dual;
 mod float;
+#[cfg(feature = "num-dual")]
+mod num_dual;
 
 pub use dual::Dual;
+#[cfg(feature = "num-dual")]
+pub use num_dual::NumDual;
 
 /// A real number, or several that are computed at once.
 ///

@@ -6,10 +6,11 @@ mod parts;
 mod written;
 
 pub use parts::{
-    Parts, PartsMut, any, axes, coordinates, count, freedoms, groups, positions, shifts,
+    Parts, PartsMut, any, axes, coordinates, count, freedoms, groups, positions, second_unit,
+    shifts,
 };
 #[cfg(feature = "serde")]
-pub use written::{Name, bare, fill, finite, found, ignore, next};
+pub use written::{Name, fill, finite, found, ignore, next};
 
 /// Defines the state of a system and its acceleration: two structs with a field for each joint, in
 /// the order written.
@@ -40,7 +41,7 @@ pub use written::{Name, bare, fill, finite, found, ignore, next};
 /// assert_eq!(later.elbow.angular_velocity, 0.5);
 /// ```
 ///
-/// A user-defined state is `name: Real => f64`, a scalar with its rate.
+/// A user-defined state is `name: Real "kg" => f64`, a scalar with its unit and its rate.
 ///
 /// A joint is `name: Kind => Acceleration`: the kind is the name of a state of
 /// [`state::generic`](crate::state::generic), and the type after the arrow is the acceleration of
@@ -60,8 +61,8 @@ pub use written::{Name, bare, fill, finite, found, ignore, next};
 ///
 /// Attributes, including documentation, precede their item: each struct, each field of
 /// the state, and before the arrow those of the field of the acceleration. Everything is public.
-/// Both structs are `Clone, Copy, Debug, Default, PartialEq`, [`Columns`](crate::columns::Columns)
-/// and, with the feature `serde`, serialized as structs with named fields. The state is a
+/// Both structs are `Clone, Copy, Debug, Default, PartialEq`, `Display`,
+/// [`Columns`](crate::columns::Columns), [`Named`](crate::columns::Named) and, with the feature `serde`, serialized as structs with named fields. The state is a
 /// [`State`](crate::state::State) with [`Coordinates`](crate::state::Coordinates), both of them
 /// [`List`](crate::state::List)s: first the coordinates, joint by joint, and then their rates. A
 /// displacement has first the velocities of all joints, and then their accelerations.
@@ -72,7 +73,7 @@ macro_rules! __system_state {
         $(#[$on_state:meta])* $state:ident
         $(#[$on_acceleration:meta])* $acceleration:ident {
             $(
-                $(#[$on_field:meta])* $field:ident: $kind:ident
+                $(#[$on_field:meta])* $field:ident: $kind:ident $($unit:literal)?
                 $(#[$on_second:meta])* => $second:ty
             ),+ $(,)?
         }
@@ -81,7 +82,7 @@ macro_rules! __system_state {
             @items [] f64
             [$(#[$on_state])*] $state [$(#[$on_acceleration])*] $acceleration
             $(
-                [$(#[$on_field])*] $field $kind ($crate::private::$kind)
+                [$(#[$on_field])*] $field [$($unit)?] $kind ($crate::private::$kind)
                 [$(#[$on_second])*] ($second)
             )+
         }
@@ -90,7 +91,7 @@ macro_rules! __system_state {
         $(#[$on_state:meta])* $state:ident
         $(#[$on_acceleration:meta])* $acceleration:ident <$scalar:ident> {
             $(
-                $(#[$on_field:meta])* $field:ident: $kind:ident
+                $(#[$on_field:meta])* $field:ident: $kind:ident $($unit:literal)?
                 $(#[$on_second:meta])* => $second:ty
             ),+ $(,)?
         }
@@ -99,7 +100,7 @@ macro_rules! __system_state {
             @items [$scalar] $scalar
             [$(#[$on_state])*] $state [$(#[$on_acceleration])*] $acceleration
             $(
-                [$(#[$on_field])*] $field $kind ($crate::private::generic::$kind<$scalar>)
+                [$(#[$on_field])*] $field [$($unit)?] $kind ($crate::private::generic::$kind<$scalar>)
                 [$(#[$on_second])*] ($second)
             )+
         }
@@ -108,7 +109,7 @@ macro_rules! __system_state {
         @items [$($generic:ident)?] $scalar:ident
         [$($on_state:tt)*] $state:ident [$($on_acceleration:tt)*] $acceleration:ident
         $(
-            [$($on_field:tt)*] $field:ident $kind:ident ($first:ty)
+            [$($on_field:tt)*] $field:ident [$($unit:literal)?] $kind:ident ($first:ty)
             [$($on_second:tt)*] ($second:ty)
         )+
     ) => {
@@ -252,16 +253,45 @@ macro_rules! __system_state {
             }
         }
 
-        $crate::private::system_state! { @columns [$($generic)?] $scalar $state $($field $first,)+ }
         $crate::private::system_state! {
-            @columns [$($generic)?] $scalar $acceleration $($field $second,)+
+            @columns [$($generic)?] $scalar $state $(
+                $field $first,
+                <$first as $crate::private::Named>::NAMES $(.in_unit($unit))?;
+            )+
+
+        }
+        $crate::private::system_state! {
+            @columns [$($generic)?] $scalar $acceleration $(
+                $field $second,
+                <$second as $crate::private::Named>::NAMES
+                    .in_unit($crate::private::system::second_unit::<$crate::private::$kind>());
+            )+
         }
         $crate::private::written! {
             [$($generic)?] $state ($crate::private::system::finite) $($field $first,)+
         }
         $crate::private::written! { [$($generic)?] $acceleration $($field $second,)+ }
     };
-    (@columns [$($generic:ident)?] $scalar:ident $name:ident $($field:ident $part:ty,)+) => {
+    (
+        @columns [$($generic:ident)?] $scalar:ident $name:ident
+        $($field:ident $part:ty, $names:expr;)+
+    ) => {
+        impl<$($generic: $crate::private::Scalar)?> $crate::private::Named for $name<$($generic)?> {
+            const NAMES: $crate::private::Names = $crate::private::Names::Parts(&[
+                $((::core::stringify!($field), $names)),+
+            ]);
+        }
+
+        /// Its parts with their names and units.
+        impl<$($generic: $crate::private::Scalar)?> ::core::fmt::Display for $name<$($generic)?> {
+            fn fmt(
+                &self,
+                f: &mut ::core::fmt::Formatter<'_>,
+            ) -> ::core::fmt::Result {
+                $crate::private::show::<$scalar>(self, f)
+            }
+        }
+
         #[allow(clippy::inline_always)]
         impl<$($generic: $crate::private::Scalar)?> $crate::private::Columns<$scalar>
             for $name<$($generic)?>

@@ -3,6 +3,7 @@
 
 use core::slice;
 
+use crate::bodies::columns::{Named, Names};
 use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
@@ -32,6 +33,25 @@ pub const fn shifts<S: Coordinates>() -> usize {
 #[must_use]
 pub const fn coordinates<S: Coordinates>() -> usize {
     sum(S::GROUPS)
+}
+
+/// The unit of the accelerations of a state whose rates have one unit.
+#[must_use]
+pub const fn second_unit<S: Named>() -> &'static str {
+    match last_unit(S::NAMES).as_bytes() {
+        b"m/s" => "m/s²",
+        b"rad/s" => "rad/s²",
+        _ => "",
+    }
+}
+
+/// The unit of the last column.
+const fn last_unit(names: Names) -> &'static str {
+    match names {
+        Names::Number(unit) | Names::Vector(_, unit) => unit,
+        Names::Parts([.., (_, last)]) => last_unit(*last),
+        Names::Parts([]) => "",
+    }
 }
 
 const fn sum(mut groups: &[usize]) -> usize {

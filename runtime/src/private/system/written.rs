@@ -9,15 +9,6 @@ use serde::de::{
 
 use crate::state::{Coordinates, check};
 
-/// A name without the prefix of a raw identifier.
-#[must_use]
-pub const fn bare(name: &'static str) -> &'static str {
-    match name.as_bytes() {
-        [b'r', b'#', ..] => name.split_at(2).1,
-        _ => name,
-    }
-}
-
 /// The next element of a sequence, of which this many were read.
 ///
 /// # Errors
@@ -122,12 +113,12 @@ macro_rules! __written {
             ) -> ::core::result::Result<SystemSerializer::Ok, SystemSerializer::Error> {
                 let mut written = $crate::private::serde::Serializer::serialize_struct(
                     serializer,
-                    const { $crate::private::system::bare(::core::stringify!($name)) },
+                    const { $crate::private::bare(::core::stringify!($name)) },
                     [$(::core::stringify!($field)),+].len(),
                 )?;
                 $($crate::private::serde::ser::SerializeStruct::serialize_field(
                     &mut written,
-                    const { $crate::private::system::bare(::core::stringify!($field)) },
+                    const { $crate::private::bare(::core::stringify!($field)) },
                     &self.$field,
                 )?;)+
                 $crate::private::serde::ser::SerializeStruct::end(written)
@@ -143,9 +134,9 @@ macro_rules! __written {
 
             impl<$($generic: $crate::private::Scalar)?> SystemVisitor<$($generic)?> {
                 const NAME: &str =
-                    $crate::private::system::bare(::core::stringify!($name));
+                    $crate::private::bare(::core::stringify!($name));
                 const NAMES: &[&str] =
-                    &[$($crate::private::system::bare(::core::stringify!($field)),)+];
+                    &[$($crate::private::bare(::core::stringify!($field)),)+];
             }
 
             impl<
@@ -189,7 +180,7 @@ macro_rules! __written {
                     {
                         $(
                             let name = const {
-                                $crate::private::system::bare(::core::stringify!($field))
+                                $crate::private::bare(::core::stringify!($field))
                             };
                             if found == ::core::option::Option::Some(name) {
                                 $crate::private::system::fill(
@@ -206,7 +197,7 @@ macro_rules! __written {
                         $($field: $crate::private::system::found(
                             self.$field,
                             const {
-                                $crate::private::system::bare(::core::stringify!($field))
+                                $crate::private::bare(::core::stringify!($field))
                             },
                         )?,)+
                     };

@@ -1,0 +1,11 @@
+//! A program whose size is measured: see `sizes.sh`.
+
+#![no_main]
+#![no_std]
+
+use panic_halt as _;
+
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    newton_euler_small_devices::swing(1e-3_f32)
+}

@@ -38,7 +38,7 @@ pub(super) struct Stream<'e, A, B: Generic> {
 impl<A: Adaptive, B: Generic> Work for Stream<'_, A, B> {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn run<S: Register>(self, simd: S) {
         let Self {
             plan,
@@ -73,7 +73,7 @@ impl<A: Adaptive, B: Generic> Work for Stream<'_, A, B> {
             if fresh != [0.0; BLOCK] {
                 by_itself(
                     simd,
-                    #[inline(always)]
+                    #[cfg_attr(not(unoptimized), inline(always))]
                     || register.begin(&seats, &fresh),
                 );
             }
@@ -83,7 +83,7 @@ impl<A: Adaptive, B: Generic> Work for Stream<'_, A, B> {
             register.choose();
             by_itself(
                 simd,
-                #[inline(always)]
+                #[cfg_attr(not(unoptimized), inline(always))]
                 || register.step(),
             );
             for lane in 0..lanes {
@@ -268,20 +268,20 @@ struct InRegister<'e, A, B: Generic, S: Register> {
 }
 
 impl<A: Adaptive, B: Generic, S: Register> InRegister<'_, A, B, S> {
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn register(&self, part: impl Fn(&Lane) -> f64) -> Lanes<S> {
         let row: Eight = core::array::from_fn(|lane| part(&self.lanes[lane]));
         self.row(&row)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn row(&self, row: &Eight) -> Lanes<S> {
         let (registers, _) = S::as_simd_f64s(row);
         Lanes::new(self.simd, registers[0])
     }
 
     /// The members, each within its current stretch of time.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn within(&self) -> Within<'_, Laned<B, S>> {
         Within {
             body: &self.member,
@@ -292,7 +292,7 @@ impl<A: Adaptive, B: Generic, S: Register> InRegister<'_, A, B, S> {
     }
 
     /// Begins with new members.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn begin(&mut self, seats: &Seats<B>, fresh: &Eight) {
         let simd = self.simd;
         self.member = read(simd, &seats.bodies, 0);
@@ -329,13 +329,13 @@ impl<A: Adaptive, B: Generic, S: Register> InRegister<'_, A, B, S> {
     }
 
     /// Chooses the next step of each member.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn choose(&mut self) {
         self.lanes.iter_mut().for_each(Lane::choose);
     }
 
     /// Attempts these steps, and takes those that are accepted.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn step(&mut self) {
         let time = self.register(|lane| lane.time);
         let step = self.register(|lane| lane.step);
@@ -450,7 +450,7 @@ where
 {
     type State = L::State;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rates(
         &self,
         time: Lanes<S>,
@@ -458,7 +458,7 @@ where
     ) -> <L::State as Coordinates>::Array {
         by_itself(
             self.simd,
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             || self.equations.rates(time, coordinates),
         )
     }

@@ -103,7 +103,7 @@ impl<C: Columns<f64>> Blocks<C> {
     }
 
     /// The rows of a block, if there is one.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn block(&self, index: usize) -> Option<&[Eight]> {
         self.rows.get(range::<C>(index))
     }
@@ -157,7 +157,7 @@ impl<C: Columns<f64>> FromIterator<C> for Blocks<C> {
 }
 
 /// The rows of a block.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(super) fn range<C: Columns<f64>>(block: usize) -> Range<usize> {
     C::COUNT * block..C::COUNT * (block + 1)
 }
@@ -205,7 +205,7 @@ pub(super) struct Group<'a, S> {
 }
 
 impl<S: Register> Source<Lanes<S>> for Group<'_, S> {
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn take(&mut self) -> Lanes<S> {
         let (row, rest) = self.rows.split_first().expect("a row for each scalar");
         self.rows = rest;
@@ -221,7 +221,7 @@ pub(super) struct GroupMut<'a> {
 }
 
 impl<S: Register> Sink<Lanes<S>> for GroupMut<'_> {
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn put(&mut self, scalar: Lanes<S>) {
         let row = self.rows.next().expect("a row for each scalar");
         let (registers, _) = S::as_mut_simd_f64s(row);

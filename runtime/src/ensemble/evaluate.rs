@@ -115,7 +115,7 @@ pub(super) struct Block<'m> {
 
 impl<B: Generic> Members<B> {
     /// All blocks from an index.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn blocks(&self, first: usize) -> impl Iterator<Item = Block<'_>> {
         (first..).map_while(|index| {
             Some(Block {
@@ -128,7 +128,7 @@ impl<B: Generic> Members<B> {
 
 impl Block<'_> {
     /// Bodies and inputs of a group, over lanes.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn group<B: Generic, S: Register>(
         &self,
         simd: S,
@@ -142,7 +142,7 @@ impl Block<'_> {
 }
 
 /// The values of a group in the rows of its block, over lanes.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(super) fn read<D: Columns<Lanes<S>>, S: Register>(simd: S, rows: &[Eight], group: usize) -> D {
     D::read(&mut Group {
         simd,
@@ -162,7 +162,7 @@ struct Accelerate<'e, B: Generic> {
 impl<B: Generic> Work for Accelerate<'_, B> {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn run<S: Register>(self, simd: S) {
         let time = Lanes::splat(simd, self.time);
         let columns = <Acceleration<B> as Columns<f64>>::COUNT;
@@ -193,7 +193,7 @@ struct Cf4<'e, B: Generic> {
 impl<B: Generic> Work for Cf4<'_, B> {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn run<S: Register>(self, simd: S) {
         let step = Lanes::splat(simd, self.step);
         let columns = <B::State as Columns<f64>>::COUNT;

@@ -401,7 +401,7 @@ struct Advance<'e, M, B: Generic> {
 impl<M: RungeKutta, B: Generic> Work for Advance<'_, M, B> {
     type Output = bool;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn run<S: Register>(self, simd: S) -> bool {
         let columns = <B::State as Columns<f64>>::COUNT;
         let (plan, states) = (self.plan, self.states.chunks_exact_mut(columns));
@@ -428,7 +428,7 @@ impl<M: RungeKutta, B: Generic> Work for Advance<'_, M, B> {
 }
 
 /// Like a [`FixedRun`](crate::integrate::FixedRun), in lanes.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn moved<M, L, S>(
     simd: S,
     equations: &Equations<'_, L>,

@@ -43,7 +43,7 @@ struct Way {
 
 impl<'e, M: RungeKutta> Ways<'e, M> {
     /// Where the members of a register begin.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn new<B: Generic, L: RigidBody<Scalar: Scalar>>(
         (body, input): (&L, &L::Input),
         plan: &Plan<'e, Fixed<M>, B>,
@@ -83,7 +83,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
     }
 
     /// The next steps of a member.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn go_on<L: RigidBody<Scalar: Scalar>>(&mut self, (body, input): (&L, &L::Input), lane: usize) {
         let end = self.times.end;
         let forwards = end >= self.times.start;
@@ -118,7 +118,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
     }
 
     /// The state at the end.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn moved<L, S>(
         mut self,
         simd: S,
@@ -168,7 +168,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
     }
 
     /// A part of the ways of all members, in a register.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn register<S: Register>(&self, simd: S, part: fn(&Way) -> f64) -> Lanes<S> {
         let row: Eight = core::array::from_fn(|lane| part(&self.each[lane]));
         let (registers, _) = S::as_simd_f64s(&row);
@@ -185,7 +185,7 @@ pub(super) struct Apart<'e, M, B: Generic> {
 impl<M: RungeKutta, B: Generic> Work for Apart<'_, M, B> {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn run<S: Register>(self, simd: S) {
         let columns = <B::State as Columns<f64>>::COUNT;
         let (plan, states) = (self.plan, self.states.chunks_exact_mut(columns));

@@ -9,7 +9,7 @@ use crate::numbers::scalar::Scalar;
 /// # Errors
 /// [`Singular`] if it is NaN, or zero to [`Singular::TOLERANCE`] of that term in units of the
 /// scalar's precision.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub fn reciprocal<T: Scalar>(unknown: &'static str, divisor: T, scale: T) -> Result<T, Singular> {
     let tolerance = Singular::TOLERANCE / f64::EPSILON * T::EPSILON;
     for lane in 0..T::LANES {
@@ -28,7 +28,7 @@ pub fn reciprocal<T: Scalar>(unknown: &'static str, divisor: T, scale: T) -> Res
 
 /// The same where no error can be returned, for each number separately: NaN if the divisor is
 /// nothing but rounding.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 #[must_use]
 pub fn determined<T: Scalar>(divisor: T, scale: T) -> T {
     let eight = divisor.constant(8.0 * f64::EPSILON, 8.0 * f32::EPSILON);
@@ -42,7 +42,7 @@ pub fn determined<T: Scalar>(divisor: T, scale: T) -> T {
 }
 
 /// A positive quantity, such as a mass; NaN if it is not positive.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 #[must_use]
 pub fn positive<T: Scalar>(value: T) -> T {
     let zero = value.constant(0.0, 0.0);

@@ -5,7 +5,7 @@ use crate::numbers::scalar::Scalar;
 /// The value of a table. Each of its polynomials is given by its start, and by the coefficients of
 /// the powers of the distance from there. The first one also holds below its start. All are
 /// evaluated, so that several numbers at once take the same path as each alone.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 #[must_use]
 #[allow(
     clippy::cast_possible_truncation,
@@ -37,7 +37,7 @@ pub fn table<T: Scalar, const N: usize>(x: T, pieces: &[(f64, [f64; N])]) -> T {
 }
 
 /// A constant of the user, in the precision of the scalar.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 #[must_use]
 #[allow(
     clippy::cast_possible_truncation,

@@ -39,12 +39,12 @@ pub trait Coordinates: State<Scalar: Scalar> {
 
     /// Corrects a small change of coordinates, so that attitude and axis stay unit to rounding, and
     /// the rate of an axis perpendicular to it.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn keep(_coordinates: &Self::Array, _change: &mut Self::Array) {}
 }
 
 /// The next numbers of a list, as many as a group has.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(crate) fn group<'l, T>(list: &mut &'l [T], count: usize) -> &'l [T] {
     let (group, rest) = list.split_at_checked(count).unwrap_or((*list, &[]));
     *list = rest;
@@ -66,25 +66,25 @@ macro_rules! plain {
             const GROUPS: &'static [usize] = &$groups;
             $(const AXES: Option<[usize; 2]> = Some($axes);)?
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn coordinates(&self) -> Self::Array {
                 let $this = self;
                 $read
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn from_coordinates(coordinates: &Self::Array) -> Self {
                 let $list = *coordinates;
                 $write
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn rates(&self, acceleration: &Self::Acceleration) -> Self::Array {
                 let ($moving, $acceleration) = (self, acceleration);
                 $rates
             }
 
-            $(#[inline(always)]
+            $(#[cfg_attr(not(unoptimized), inline(always))]
             fn keep(coordinates: &Self::Array, change: &mut Self::Array) {
                 shorten(&coordinates[$unit], &mut change[$unit]);
                 $(level(coordinates, change, $unit, $rate);)?
@@ -211,7 +211,7 @@ plain! {
         unit 3..6, across 9..12;
 }
 
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn unit<T: Scalar>([x, y, z, w]: [T; 4]) -> UnitQuaternion<T> {
     UnitQuaternion::new_unchecked(Quaternion {
         coords: Vector4::new(x, y, z, w),
@@ -219,7 +219,7 @@ fn unit<T: Scalar>([x, y, z, w]: [T; 4]) -> UnitQuaternion<T> {
 }
 
 /// Corrects the change of a unit vector by a Newton step.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn shorten<T: Scalar>(vector: &[T], change: &mut [T]) {
     let (half, one) = (vector[0].constant(0.5, 0.5), vector[0].constant(1.0, 1.0));
     let mut excess = -one;
@@ -232,7 +232,7 @@ fn shorten<T: Scalar>(vector: &[T], change: &mut [T]) {
 }
 
 /// Removes the component along a unit vector from a change of its rate.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn level<T: Scalar>(coordinates: &[T], change: &mut [T], unit: Range<usize>, rate: Range<usize>) {
     let mut along = T::default();
     for (u, r) in unit.clone().zip(rate.clone()) {

@@ -57,7 +57,7 @@ impl<T: Scalar> State for Cylinder<T> {
     /// Velocity, angular velocity, acceleration, angular acceleration.
     type Rate = Vector4<T>;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rate(&self, acceleration: &CylinderAcceleration<T>) -> Self::Rate {
         Vector4::new(
             self.velocity,
@@ -67,7 +67,7 @@ impl<T: Scalar> State for Cylinder<T> {
         )
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn moved(&self, displacement: &Self::Rate) -> Self {
         Self {
             position: self.position + displacement.x,

@@ -41,12 +41,12 @@ impl<T: Scalar> State for Hinge<T> {
     /// Angular velocity, angular acceleration.
     type Rate = Vector2<T>;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rate(&self, acceleration: &T) -> Self::Rate {
         Vector2::new(self.angular_velocity, *acceleration)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn moved(&self, displacement: &Self::Rate) -> Self {
         Self {
             angle: self.angle + displacement.x,

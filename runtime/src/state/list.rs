@@ -18,7 +18,7 @@ pub struct List<T, const N: usize>(pub [T; N]);
 
 impl<T: Scalar, const N: usize> List<T, N> {
     /// The same number in all places.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     #[must_use]
     pub fn repeat(number: T) -> Self {
         Self([number; N])
@@ -26,21 +26,21 @@ impl<T: Scalar, const N: usize> List<T, N> {
 }
 
 impl<T: Scalar, const N: usize> Default for List<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn default() -> Self {
         Self([T::default(); N])
     }
 }
 
 impl<T, const N: usize> AsRef<[T]> for List<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn as_ref(&self) -> &[T] {
         &self.0
     }
 }
 
 impl<T, const N: usize> AsMut<[T]> for List<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn as_mut(&mut self) -> &mut [T] {
         &mut self.0
     }
@@ -49,7 +49,7 @@ impl<T, const N: usize> AsMut<[T]> for List<T, N> {
 impl<T: Scalar, const N: usize> Add for List<T, N> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn add(mut self, other: Self) -> Self {
         for (sum, other) in self.0.iter_mut().zip(other.0) {
             *sum += other;
@@ -61,7 +61,7 @@ impl<T: Scalar, const N: usize> Add for List<T, N> {
 impl<T: Scalar, const N: usize> Sub for List<T, N> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn sub(mut self, other: Self) -> Self {
         for (difference, other) in self.0.iter_mut().zip(other.0) {
             *difference -= other;
@@ -73,7 +73,7 @@ impl<T: Scalar, const N: usize> Sub for List<T, N> {
 impl<T: Scalar, const N: usize> Mul<T> for List<T, N> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn mul(mut self, factor: T) -> Self {
         for product in &mut self.0 {
             *product *= factor;

@@ -63,7 +63,7 @@ impl<T: Scalar> State for Planar<T> {
     /// Velocity (two components), angular velocity, acceleration of G (two), angular acceleration.
     type Rate = Vector6<T>;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rate(&self, acceleration: &PlanarAcceleration<T>) -> Self::Rate {
         let [v, a] = [self.velocity, acceleration.linear];
         Vector6::new(
@@ -76,7 +76,7 @@ impl<T: Scalar> State for Planar<T> {
         )
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn moved(&self, displacement: &Self::Rate) -> Self {
         Self {
             position: self.position + displacement.fixed_rows::<2>(0),
@@ -93,13 +93,13 @@ impl<T: Scalar> State for PlanarTranslation<T> {
     /// Velocity, acceleration of G: two components each.
     type Rate = Vector4<T>;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rate(&self, acceleration: &Vector2<T>) -> Self::Rate {
         let [v, a] = [self.velocity, *acceleration];
         Vector4::new(v.x, v.y, a.x, a.y)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn moved(&self, displacement: &Self::Rate) -> Self {
         Self {
             position: self.position + displacement.fixed_rows::<2>(0),

@@ -20,12 +20,12 @@ impl<T: Scalar> State for T {
     type Acceleration = T;
     type Rate = Vector1<T>;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rate(&self, rate: &T) -> Vector1<T> {
         Vector1::new(*rate)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn moved(&self, displacement: &Vector1<T>) -> T {
         *self + displacement.x
     }
@@ -36,17 +36,17 @@ impl<T: Scalar> Coordinates for T {
     type Array = [T; 1];
     const GROUPS: &'static [usize] = &[0, 1];
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn coordinates(&self) -> [T; 1] {
         [*self]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn from_coordinates(&[scalar]: &[T; 1]) -> T {
         scalar
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rates(&self, rate: &T) -> [T; 1] {
         [*rate]
     }

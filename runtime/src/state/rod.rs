@@ -96,7 +96,7 @@ impl<T: Scalar> Rod<T> {
     /// let rod = Rod { axis_rate: Vector3::new(0.0, 2.0, 0.0), ..Rod::default() };
     /// assert_eq!(rod.angular_velocity(), Vector3::new(0.0, 0.0, 2.0));
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     #[must_use]
     pub fn angular_velocity(&self) -> Vector3<T> {
         cross(self.axis.as_ref(), &self.axis_rate)
@@ -110,7 +110,7 @@ impl<T: Scalar> State for Rod<T> {
     /// components each.
     type Rate = SVector<T, 12>;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rate(&self, acceleration: &RodAcceleration<T>) -> Self::Rate {
         let [v, w] = [self.velocity, self.angular_velocity()];
         let [a, b] = [
@@ -120,7 +120,7 @@ impl<T: Scalar> State for Rod<T> {
         SVector::from([v.x, v.y, v.z, w.x, w.y, w.z, a.x, a.y, a.z, b.x, b.y, b.z])
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn moved(&self, displacement: &Self::Rate) -> Self {
         let turn: Vector3<T> = displacement.fixed_rows::<3>(3).into();
         let change: Vector3<T> = displacement.fixed_rows::<3>(9).into();
@@ -139,17 +139,17 @@ impl<T: Scalar> State for Rod<T> {
 }
 
 /// The part of a vector perpendicular to a unit vector.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn perpendicular<T: Scalar>(vector: &Vector3<T>, unit: &Vector3<T>) -> Vector3<T> {
     vector - unit * dot(unit, vector)
 }
 
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn dot<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> T {
     a.x * b.x + a.y * b.y + a.z * b.z
 }
 
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn cross<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> Vector3<T> {
     Vector3::new(
         a.y * b.z - a.z * b.y,
@@ -159,7 +159,7 @@ fn cross<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> Vector3<T> {
 }
 
 /// `v + (w s + q × s)`, `s = q × 2 v`: for a small rotation, v is rounded once.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn turned<T: Scalar>(attitude: &UnitQuaternion<T>, vector: &Vector3<T>) -> Vector3<T> {
     let [x, y, z, w]: [T; 4] = attitude.as_ref().coords.into();
     let q = Vector3::new(x, y, z);
@@ -168,7 +168,7 @@ fn turned<T: Scalar>(attitude: &UnitQuaternion<T>, vector: &Vector3<T>) -> Vecto
 }
 
 /// V of [`Rod`]: the mean of a vector over a rotation that begins at the vector.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn averaged<T: Scalar>(vector: &Vector3<T>, turn: &Vector3<T>) -> Vector3<T> {
     let square = dot(turn, turn);
     // (1 - cos ξ)/ξ² and (ξ - sin ξ)/ξ³
@@ -179,7 +179,7 @@ fn averaged<T: Scalar>(vector: &Vector3<T>, turn: &Vector3<T>) -> Vector3<T> {
 }
 
 /// Of each sum, the first term left out is below 2⁻⁵³ of it.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn series<T: Scalar>(x: T) -> [T; 2] {
     let over = |divisor: u32| {
         #[expect(clippy::cast_precision_loss, reason = "to be rounded once")]
@@ -191,7 +191,7 @@ fn series<T: Scalar>(x: T) -> [T; 2] {
     ]
 }
 
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn closed<T: Scalar>(square: T) -> [T; 2] {
     let [half, two] = [square.constant(0.5, 0.5), square.constant(2.0, 2.0)];
     let angle = square.sqrt();

@@ -41,13 +41,13 @@ impl<T: Scalar> State for Rotation<T> {
     /// Angular velocity, angular acceleration: three components each.
     type Rate = Vector6<T>;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rate(&self, acceleration: &Vector3<T>) -> Self::Rate {
         let [w, b] = [self.angular_velocity, *acceleration];
         Vector6::new(w.x, w.y, w.z, b.x, b.y, b.z)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn moved(&self, displacement: &Self::Rate) -> Self {
         Self {
             attitude: attitude::generic::turned(

@@ -40,12 +40,12 @@ impl<T: Scalar> State for Slide<T> {
     /// Velocity, acceleration.
     type Rate = Vector2<T>;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rate(&self, acceleration: &T) -> Self::Rate {
         Vector2::new(self.velocity, *acceleration)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn moved(&self, displacement: &Self::Rate) -> Self {
         Self {
             position: self.position + displacement.x,

@@ -60,14 +60,14 @@ impl<T: Scalar> State for Spatial<T> {
     /// Velocity, angular velocity, acceleration of G, angular acceleration: three components each.
     type Rate = SVector<T, 12>;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rate(&self, acceleration: &SpatialAcceleration<T>) -> Self::Rate {
         let [v, w] = [self.velocity, self.angular_velocity];
         let [a, b] = [acceleration.linear, acceleration.angular];
         SVector::from([v.x, v.y, v.z, w.x, w.y, w.z, a.x, a.y, a.z, b.x, b.y, b.z])
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn moved(&self, displacement: &Self::Rate) -> Self {
         Self {
             position: self.position + displacement.fixed_rows::<3>(0),

@@ -33,12 +33,12 @@ impl<T: Scalar> State for Still<T> {
     type Acceleration = ();
     type Rate = List<T, 0>;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rate(&self, (): &()) -> Self::Rate {
         List([])
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn moved(&self, _displacement: &Self::Rate) -> Self {
         *self
     }

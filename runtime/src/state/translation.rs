@@ -31,13 +31,13 @@ impl<T: Scalar> State for Translation<T> {
     /// Velocity, acceleration of G: three components each.
     type Rate = Vector6<T>;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rate(&self, acceleration: &Vector3<T>) -> Self::Rate {
         let [v, a] = [self.velocity, *acceleration];
         Vector6::new(v.x, v.y, v.z, a.x, a.y, a.z)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn moved(&self, displacement: &Self::Rate) -> Self {
         Self {
             position: self.position + displacement.fixed_rows::<3>(0),

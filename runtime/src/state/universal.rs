@@ -48,13 +48,13 @@ impl<T: Scalar> State for Universal<T> {
     /// The rates of both angles, their accelerations.
     type Rate = Vector4<T>;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rate(&self, acceleration: &Vector2<T>) -> Self::Rate {
         let [first, second] = [self.angular_velocity_1, self.angular_velocity_2];
         Vector4::new(first, second, acceleration.x, acceleration.y)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn moved(&self, displacement: &Self::Rate) -> Self {
         Self {
             angle_1: self.angle_1 + displacement.x,

@@ -19,7 +19,7 @@ pub trait Arithmetic: Copy {
 pub struct Plain;
 
 impl Arithmetic for Plain {
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn multiply_add<const COUNT: usize>(
         self,
         mut sums: [f64; COUNT],
@@ -42,7 +42,7 @@ mod x86 {
     use super::Arithmetic;
 
     impl Arithmetic for V3 {
-        #[inline(always)]
+        #[cfg_attr(not(unoptimized), inline(always))]
         fn multiply_add<const COUNT: usize>(
             self,
             mut sums: [f64; COUNT],
@@ -62,7 +62,7 @@ mod x86 {
     }
 
     impl Arithmetic for V4 {
-        #[inline(always)]
+        #[cfg_attr(not(unoptimized), inline(always))]
         fn multiply_add<const COUNT: usize>(
             self,
             mut sums: [f64; COUNT],
@@ -89,7 +89,7 @@ mod x86 {
     }
 
     /// The elements that fill no register.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rest<const COUNT: usize>(
         mut sums: [f64; COUNT],
         left: [f64; COUNT],
@@ -102,7 +102,7 @@ mod x86 {
         sums
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn part<const SOME: usize>(of: &[f64], place: usize) -> [f64; SOME] {
         let mut part = [0.0; SOME];
         part.copy_from_slice(&of[place..place + SOME]);

@@ -107,7 +107,7 @@ impl Axes {
 
     /// Transforms the rate of the angular velocity into these axes, from that of the same
     /// coordinates in body axes: `+ σ e × ω_F`.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(crate) fn turn_rates<S: Coordinates<Scalar = f64>>(
         &self,
         coordinates: &S::Array,
@@ -124,14 +124,14 @@ impl Axes {
     }
 
     /// The places of attitude and angular velocity, if these differ from those in body axes.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn turning<S: Coordinates>(&self) -> Option<[usize; 2]> {
         S::AXES.filter(|_| self.spin != 0.0)
     }
 }
 
 /// The attitude, scalar last, and the angular velocity.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn read<S: Coordinates<Scalar = f64>>(
     coordinates: &S::Array,
     [attitude, rate]: [usize; 2],
@@ -143,7 +143,7 @@ fn read<S: Coordinates<Scalar = f64>>(
     )
 }
 
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn write<S: Coordinates<Scalar = f64>>(
     coordinates: &mut S::Array,
     [attitude, rate]: [usize; 2],
@@ -156,7 +156,7 @@ fn write<S: Coordinates<Scalar = f64>>(
 }
 
 /// `q (0, v)`
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn times(q: &Vector4<f64>, v: &Vector3<f64>) -> Vector4<f64> {
     let (vector, scalar) = (q.xyz(), q.w);
     (v * scalar + vector.cross(v)).push(-vector.dot(v))

@@ -43,7 +43,7 @@ impl<A, const WIDTH: usize, const N: usize> From<A> for Products<A, WIDTH, N> {
 // compiled for its instructions.
 impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
     /// The weights and the first coefficients of sums: `(weight, left, right)`.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub fn start<const FIRST: usize, const LANES: usize, const COUNT: usize>(
         &mut self,
         sums: [[(f64, f64, f64); COUNT]; LANES],
@@ -60,7 +60,7 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
 
     /// Terms n of sums, by coefficients n of their factors. A coefficient that is not known yet is
     /// given as zero, and later by [`complete`](Self::complete): its partner begins with zero.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub fn terms<const FIRST: usize, const LANES: usize, const COUNT: usize>(
         &mut self,
         n: usize,
@@ -108,7 +108,7 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
     }
 
     /// Adds terms that are linear in coefficients of the same order: `(weight, coefficient)`.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub fn plus<const LANES: usize, const COUNT: usize>(
         &self,
         mut sums: [f64; LANES],
@@ -128,7 +128,7 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
 
     /// Numbers times a factor, side by side in registers: the result of an operation stays in place
     /// from one order to the next.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub fn times<const COUNT: usize>(&self, numbers: [f64; COUNT], factor: f64) -> [f64; COUNT] {
         let zeros = [0.0; COUNT];
         self.arithmetic
@@ -137,7 +137,7 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
 
     /// Adds the products of two rows to separate sums, so that additions do not wait for each
     /// other.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn add<const FIRST: usize, const LANES: usize, const COUNT: usize>(
         &self,
         terms: &mut [[f64; LANES]; COUNT],
@@ -152,7 +152,7 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
     }
 
     /// Adds coefficients n that were not known before, by the places of their products.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub fn complete(&mut self, n: usize, left: &[(usize, f64)], right: &[(usize, f64)]) {
         for (place, value) in left {
             self.left[n].0[*place] = self.weights.0[*place] * value;
@@ -165,7 +165,7 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
 
 impl<const WIDTH: usize> Aligned<WIDTH> {
     /// COUNT numbers from a place on.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn part<const COUNT: usize>(&self, place: usize) -> [f64; COUNT] {
         let mut part = [0.0; COUNT];
         part.copy_from_slice(&self.0[place..place + COUNT]);

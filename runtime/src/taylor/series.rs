@@ -45,14 +45,14 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
     }
 
     /// Begins at a state.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub fn start(&mut self, state: &S) {
         self.coefficients[0] = state.coordinates();
     }
 
     /// Coefficient n of the coordinates, and the padding of their last register, from coefficient n
     /// - 1 of their rates.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub fn extend<A: Arithmetic, const WIDTH: usize, const COUNT: usize>(
         &mut self,
         products: &Products<A, WIDTH, N>,
@@ -67,7 +67,7 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
 }
 
 /// The coordinates on a polynomial, at this time after its start.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(crate) fn after<S: Coordinates<Scalar = f64>>(
     coefficients: &[S::Array],
     time: f64,
@@ -82,7 +82,7 @@ pub(crate) fn after<S: Coordinates<Scalar = f64>>(
 }
 
 /// A polynomial, by Horner's rule for even and odd powers separately: neither waits for the other.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn evaluate<S: Coordinates<Scalar = f64>>(coefficients: &[S::Array], time: f64) -> S::Array {
     let square = time * time;
     let (mut even, mut odd) = (S::Array::default(), S::Array::default());
@@ -103,7 +103,7 @@ fn evaluate<S: Coordinates<Scalar = f64>>(coefficients: &[S::Array], time: f64) 
 
 /// The rates of coordinates on a polynomial, from a place in their list on; zero before it. As
 /// in [`evaluate`], neither half waits for the other.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(crate) fn slope<S: Coordinates<Scalar = f64>, const N: usize>(
     coefficients: &[S::Array; N],
     time: f64,
@@ -132,7 +132,7 @@ pub(crate) fn slope<S: Coordinates<Scalar = f64>, const N: usize>(
 }
 
 /// The increment of a polynomial over its start.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(crate) fn increment<S: Coordinates<Scalar = f64>>(
     coefficients: &[S::Array],
     time: f64,

@@ -66,7 +66,7 @@ impl Record {
     }
 
     /// `record! { BodyParams { "m" length: f64, .. } }`, for declared quantities: the runtime gives
-    /// them names, and serialization if it has that feature.
+    /// them names, and serialization if it has that feature. Nothing for a struct without fields.
     fn written(&self, outline: &Outline) -> Option<TokenStream> {
         let (name, private, scalar) = (self.name(outline), private(outline), &outline.scalar);
         let fields = self.fields.iter().map(|field| {
@@ -74,6 +74,9 @@ impl Record {
             Some(quote!(#unit #name: #kind))
         });
         let fields = fields.collect::<Option<Vec<_>>>()?;
+        if fields.is_empty() {
+            return None;
+        }
         let scalar = scalar.iter();
         Some(quote!(#private::record! { #name #(<#scalar>)* { #(#fields),* } }))
     }

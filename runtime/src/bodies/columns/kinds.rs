@@ -13,10 +13,10 @@ use crate::state::generic;
 impl<T: Scalar> Columns<T> for () {
     const COUNT: usize = 0;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn read(_: &mut impl Source<T>) -> Self {}
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn write(&self, _: &mut impl Sink<T>) {}
 }
 
@@ -31,12 +31,12 @@ impl<T: Scalar> Named for T {
 impl<T: Scalar> Columns<T> for T {
     const COUNT: usize = 1;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn read(source: &mut impl Source<T>) -> Self {
         source.take()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn write(&self, sink: &mut impl Sink<T>) {
         sink.put(*self);
     }
@@ -52,13 +52,13 @@ macro_rules! vectors {
         impl<T: Scalar> Columns<T> for $vector<T> {
             const COUNT: usize = $count;
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn read(source: &mut impl Source<T>) -> Self {
                 let components: [T; $count] = core::array::from_fn(|_| source.take());
                 components.into()
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn write(&self, sink: &mut impl Sink<T>) {
                 for component in self {
                     sink.put(*component);
@@ -94,12 +94,12 @@ macro_rules! structs {
         impl<T: Scalar> Columns<T> for generic::$name<T> {
             const COUNT: usize = 0 $(+ <$kind<T> as Columns<T>>::COUNT)*;
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn read(source: &mut impl Source<T>) -> Self {
                 Self { $($field: Columns::read(source)),* }
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn write(&self, sink: &mut impl Sink<T>) {
                 $(self.$field.write(sink);)*
             }
@@ -161,13 +161,13 @@ impl<T: Scalar> Named for Axis<T> {
 impl<T: Scalar> Columns<T> for Attitude<T> {
     const COUNT: usize = 4;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn read(source: &mut impl Source<T>) -> Self {
         let coords = Vector4::read(source);
         Unit::new_unchecked(nalgebra::Quaternion { coords })
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn write(&self, sink: &mut impl Sink<T>) {
         self.as_ref().coords.write(sink);
     }
@@ -177,12 +177,12 @@ impl<T: Scalar> Columns<T> for Attitude<T> {
 impl<T: Scalar> Columns<T> for Axis<T> {
     const COUNT: usize = 3;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn read(source: &mut impl Source<T>) -> Self {
         Unit::new_unchecked(Vector3::read(source))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn write(&self, sink: &mut impl Sink<T>) {
         self.as_ref().write(sink);
     }

@@ -149,7 +149,7 @@ impl Lengths {
     }
 
     /// The next step \[s\] for a given remaining time, and whether it covers all of that.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(crate) fn next(&self, rest: f64) -> (f64, bool) {
         let permitted = self.permitted.unwrap_or(f64::NAN);
         if permitted >= rest.abs() {
@@ -161,7 +161,7 @@ impl Lengths {
 
     /// Whether a step of a pair with this error is accepted; also sets the length of the next
     /// step.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(crate) fn is_accepted<P: Embedded>(
         &mut self,
         (step, is_last): (f64, bool),
@@ -284,7 +284,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>, P: Embedded> Run<B> for Ada
 
 /// The increment of a step and its error relative to the state. The error is NaN if a stage is out
 /// of the domain, even in a single component.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(super) fn attempt<P: Embedded, E: Rates<State: Coordinates<Scalar = f64>>>(
     equations: &E,
     time: f64,
@@ -297,7 +297,7 @@ pub(super) fn attempt<P: Embedded, E: Rates<State: Coordinates<Scalar = f64>>>(
 
 /// The increment of a step, and the sizes of its differences to methods of lower order (the second
 /// is zero for a pair with one difference). The first is NaN if any component is.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(crate) fn tried<P: Embedded, T: Scalar, E: Rates<State: Coordinates<Scalar = T>>>(
     equations: &E,
     time: T,
@@ -321,14 +321,14 @@ pub(crate) fn tried<P: Embedded, T: Scalar, E: Rates<State: Coordinates<Scalar =
 
 /// The error of a step by these sizes (only the first for a pair with one difference), and the sum
 /// of squares by whose root it is divided.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(crate) fn error<T: Scalar>([first, second]: [T; 2]) -> [T; 2] {
     let squares = first * first + number(first, 0.01) * second * second;
     [first * (first / squares.sqrt()), squares]
 }
 
 /// The same error, even if the squares are out of range.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(crate) fn in_range([first, second]: [f64; 2], [error, squares]: [f64; 2]) -> f64 {
     if squares.is_normal() {
         error
@@ -342,7 +342,7 @@ pub(crate) fn in_range([first, second]: [f64; 2], [error, squares]: [f64; 2]) ->
 }
 
 /// The fraction of a step that its error permits; for NaN the smallest.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(super) fn shrunk<P: Embedded>(tolerance: f64, error: f64) -> f64 {
     let share = SAFETY * root(tolerance, error, P::ESTIMATE);
     if share >= SHRINK { share } else { SHRINK }
@@ -350,7 +350,7 @@ pub(super) fn shrunk<P: Embedded>(tolerance: f64, error: f64) -> f64 {
 
 /// A first step, from the sizes of the first and second derivatives (Hairer and others, II.4), for
 /// a given remaining time.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(crate) fn first<P: Embedded, T: Scalar, E: Rates<State: Coordinates<Scalar = T>>>(
     equations: &E,
     time: T,

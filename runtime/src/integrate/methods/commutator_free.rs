@@ -47,7 +47,7 @@ use crate::state::State;
 /// assert!((later.position.y + 19.6).abs() < 1e-14); // exact for parabolas
 /// ```
 #[must_use]
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub fn cf4_step<B: RigidBody<Scalar: Scalar>>(
     body: &B,
     time: B::Scalar,

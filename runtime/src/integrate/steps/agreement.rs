@@ -29,7 +29,7 @@ pub(in crate::integrate) struct Seen<'e, B: RigidBody> {
 impl<B: RigidBody<Scalar = f64, State: Coordinates<Scalar = f64>>> Rates for Seen<'_, B> {
     type State = B::State;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rates(
         &self,
         time: f64,
@@ -54,7 +54,7 @@ pub(in crate::integrate) struct Agreement<'e, E: Rates, const N: usize> {
 
 impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E, N> {
     /// The increment of the coordinates over a step \[s\], if the equations agree at its end.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(in crate::integrate) fn holds(
         &self,
         now: &Point<E::State>,
@@ -67,7 +67,7 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
     }
 
     /// Whether these rates at the end of a step \[s\] agree.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(in crate::integrate) fn holds_to(
         &self,
         rates: &<E::State as Coordinates>::Array,
@@ -79,7 +79,7 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
 
     /// The same, if they agree throughout, on the average of many points and up to
     /// rounding; otherwise the time \[s\] of disagreement.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(in crate::integrate) fn holds_throughout(
         &self,
         now: &Point<E::State>,
@@ -109,7 +109,7 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
 
     /// The error of a step of this length \[s\], relative to the state, if rates were off
     /// throughout by as much as these are after a time \[s\], apart from rounding.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn difference(
         &self,
         rates: &<E::State as Coordinates>::Array,
@@ -149,7 +149,7 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
 
     /// The rounding of the rates, as far as it is visible: at the start, where the polynomial is
     /// exact, and at an end that is off by rounding.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn noise(
         &self,
         step: f64,
@@ -184,7 +184,7 @@ impl<E: Rates<State: Coordinates<Scalar = f64>>, const N: usize> Agreement<'_, E
 }
 
 /// The rest of a list from an index.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn from<A: AsRef<[f64]>>(list: &A, place: usize) -> &[f64] {
     list.as_ref().get(place..).unwrap_or_default()
 }

@@ -79,14 +79,14 @@ impl Watch {
     }
 
     /// Called with each step \[s\]; a step that is cut short counts for its length only.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(crate) fn saw(&mut self, step: f64, is_cut: bool) {
         self.steps = self.steps.saturating_add(u32::from(!is_cut));
         self.longest = larger(self.longest, step.abs());
     }
 
     /// Whether a check is due.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(crate) fn is_due(&self) -> bool {
         self.steps >= self.period
     }

@@ -70,7 +70,7 @@ pub trait Rates {
 impl<B: RigidBody<Scalar: Scalar, State: Coordinates>> Rates for Equations<'_, B> {
     type State = B::State;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn rates(
         &self,
         time: B::Scalar,
@@ -82,7 +82,7 @@ impl<B: RigidBody<Scalar: Scalar, State: Coordinates>> Rates for Equations<'_, B
 
 impl<B: RigidBody<Scalar: Scalar, State: Coordinates>> Equations<'_, B> {
     /// The derivatives of the coordinates.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub fn rates(
         &self,
         time: B::Scalar,

@@ -76,7 +76,7 @@ impl<B: Taylor, const N: usize> Expander<B, N> {
         step: f64,
     ) -> Option<<B::State as Coordinates>::Array> {
         self.look(Look(
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             || agreement.holds(now, step),
         ))
     }
@@ -90,12 +90,12 @@ impl<B: Taylor, const N: usize> Expander<B, N> {
         step: f64,
     ) -> Result<<B::State as Coordinates>::Array, f64> {
         self.look(Look(
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             || agreement.holds_throughout(now, step),
         ))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn look<R>(&self, Look(look): Look<impl FnOnce() -> R>) -> R {
         match self {
             Self::Plain(_) => look(),
@@ -114,7 +114,7 @@ struct Look<F>(F);
 impl<R, F: FnOnce() -> R> WithSimd for Look<F> {
     type Output = R;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn with_simd<S: Simd>(self, _: S) -> R {
         (self.0)()
     }
@@ -132,7 +132,7 @@ struct Expansion<'e, B: Taylor, A: Arithmetic, const N: usize>(
 impl<B: Taylor, A: Arithmetic, const N: usize> WithSimd for Expansion<'_, B, A, N> {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn with_simd<S: Simd>(self, _: S) {
         let Self((body, time, state, input), products, series) = self;
         body.expand(time, state, input, products, series);

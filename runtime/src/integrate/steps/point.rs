@@ -35,13 +35,13 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
     }
 
     /// The time remaining until another.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(in crate::integrate) fn rest(&self, end: f64) -> f64 {
         (end - self.time) + self.late
     }
 
     /// The point after an increment, which is corrected; none if it is not finite.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(in crate::integrate) fn moved(&self, change: &mut S::Array) -> Option<S::Array> {
         S::keep(&self.coordinates, change);
         let (mut moved, mut is_finite) = (self.coordinates, true);
@@ -53,7 +53,7 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
     }
 
     /// Adds a corrected increment, in a step \[s\] or to a known time.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(in crate::integrate) fn follow(&mut self, change: &S::Array, step: f64, end: Option<f64>) {
         add(&mut self.coordinates, &mut self.lost, change);
         (self.time, self.late) = match end {
@@ -63,7 +63,7 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
     }
 
     /// The point after a step \[s\].
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(in crate::integrate) fn after(&self, change: &S::Array, step: f64) -> Self {
         let Self {
             time,
@@ -84,7 +84,7 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
     /// Adds an increment of the coordinates in a step \[s\]. If the result is not finite, changes
     /// nothing and returns false.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(in crate::integrate) fn advance(&mut self, mut change: S::Array, step: f64) -> bool {
         let is_finite = self.moved(&mut change).is_some();
         if is_finite {
@@ -95,7 +95,7 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
 
     /// The same, to a known time.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(in crate::integrate) fn arrive(&mut self, mut change: S::Array, end: f64) -> bool {
         let is_finite = self.moved(&mut change).is_some();
         if is_finite {
@@ -118,7 +118,7 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
 }
 
 /// Adds to all coordinates, and updates their rounding errors.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(crate) fn add<T: Scalar, A: AsRef<[T]> + AsMut<[T]>>(sums: &mut A, lost: &mut A, change: &A) {
     let places = sums.as_mut().iter_mut().zip(lost.as_mut());
     for ((sum, lost), change) in places.zip(change.as_ref()) {
@@ -127,7 +127,7 @@ pub(crate) fn add<T: Scalar, A: AsRef<[T]> + AsMut<[T]>>(sums: &mut A, lost: &mu
 }
 
 /// A sum, and its rounding error.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(crate) fn compensated<T: Scalar>(sum: T, lost: T, change: T) -> (T, T) {
     let change = change + lost;
     let next = sum + change;

@@ -7,7 +7,7 @@ use crate::state::{Coordinates, group};
 /// velocity it is the largest component, relative to the largest component of the quantity itself
 /// if that is above 1, and absolute (m, rad, m/s, rad/s) below; the result is the largest of
 /// these. NaN may be ignored.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(in crate::integrate) fn relative_size<S: Coordinates>(
     change: &S::Array,
     coordinates: &S::Array,
@@ -24,7 +24,7 @@ pub(in crate::integrate) fn relative_size<S: Coordinates>(
     largest
 }
 
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(in crate::integrate) fn largest_of<T: Scalar>(numbers: &[T]) -> T {
     let mut largest = T::default();
     for number in numbers {
@@ -34,7 +34,7 @@ pub(in crate::integrate) fn largest_of<T: Scalar>(numbers: &[T]) -> T {
 }
 
 /// One instruction; `f64::max` would check for NaN.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(in crate::integrate) fn larger<T: Scalar>(a: T, b: T) -> T {
     T::select(b.less(a), a, b)
 }
@@ -52,7 +52,7 @@ pub(crate) fn finest(tolerance: f64) -> f64 {
 /// `(a / b)^(1/k)` to a few percent, which suffices for a step: the bits of a
 /// double approximate its logarithm, linearly between powers of two. If the quotient has no
 /// logarithm, the quotient itself.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 #[expect(
     clippy::cast_possible_wrap,
     clippy::cast_sign_loss,

@@ -71,7 +71,7 @@ impl<B: RigidBody<Scalar: Scalar>> RigidBody for Given<'_, B> {
 
     const CHANGES: bool = B::CHANGES;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn acceleration(
         &self,
         time: B::Scalar,
@@ -123,14 +123,14 @@ impl<'b, B: RigidBody<Scalar = f64>> Within<'b, B> {
 
 impl<B: RigidBody<Scalar: Scalar>> Within<'_, B> {
     /// A time of a step, on the step's side of a switch.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(crate) fn side(&self, time: B::Scalar) -> B::Scalar {
         let time = B::Scalar::select(time.less(self.lower), self.lower, time);
         B::Scalar::select(self.upper.less(time), self.upper, time)
     }
 
     /// The input at a time, if it moves.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(crate) fn moved(&self, input: &B::Input, time: B::Scalar) -> Option<B::Input> {
         self.body.input_after(input, time - self.given)
     }
@@ -143,7 +143,7 @@ impl<B: RigidBody<Scalar: Scalar>> RigidBody for Within<'_, B> {
 
     const CHANGES: bool = B::CHANGES;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn acceleration(
         &self,
         time: B::Scalar,

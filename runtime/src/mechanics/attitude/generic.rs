@@ -12,7 +12,7 @@ pub fn identity<T: Scalar>() -> UnitQuaternion<T> {
 }
 
 /// Like [`attitude::exp`](super::exp).
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 #[must_use]
 pub fn exp<T: Scalar>(rotation: &Vector3<T>) -> UnitQuaternion<T> {
     let [x, y, z] = [rotation.x, rotation.y, rotation.z];
@@ -25,7 +25,7 @@ pub fn exp<T: Scalar>(rotation: &Vector3<T>) -> UnitQuaternion<T> {
     unit([x * ratio, y * ratio, z * ratio, cosine])
 }
 
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn series<T: Scalar>(square: T) -> [T; 2] {
     let c = |value: u16| square.constant(f64::from(value), f32::from(value));
     let [half, quarter] = [square.constant(0.5, 0.5), square.constant(0.25, 0.25)];
@@ -36,7 +36,7 @@ fn series<T: Scalar>(square: T) -> [T; 2] {
     ]
 }
 
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn closed<T: Scalar>(square: T) -> [T; 2] {
     let angle = square.sqrt();
     let (sine, cosine) = (square.constant(0.5, 0.5) * angle).sin_cos();
@@ -44,7 +44,7 @@ fn closed<T: Scalar>(square: T) -> [T; 2] {
 }
 
 /// Like [`attitude::normalized`](super::normalized).
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 #[must_use]
 pub fn normalized<T: Scalar>(quaternion: &Quaternion<T>) -> UnitQuaternion<T> {
     let [x, y, z, w] = components(quaternion);
@@ -54,7 +54,7 @@ pub fn normalized<T: Scalar>(quaternion: &Quaternion<T>) -> UnitQuaternion<T> {
 }
 
 /// Like [`attitude::turned`](super::turned).
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 #[must_use]
 pub fn turned<T: Scalar>(attitude: &UnitQuaternion<T>, rotation: &Vector3<T>) -> UnitQuaternion<T> {
     let turn = exp(rotation);
@@ -67,25 +67,25 @@ pub fn turned<T: Scalar>(attitude: &UnitQuaternion<T>, rotation: &Vector3<T>) ->
     ]))
 }
 
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn components<T: Scalar>(quaternion: &Quaternion<T>) -> [T; 4] {
     quaternion.coords.into()
 }
 
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn quaternion<T: Scalar>(components: [T; 4]) -> Quaternion<T> {
     Quaternion {
         coords: components.into(),
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn unit<T: Scalar>(components: [T; 4]) -> UnitQuaternion<T> {
     Unit::new_unchecked(quaternion(components))
 }
 
 /// Like [`attitude::kinematics`](super::kinematics).
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 #[must_use]
 pub fn kinematics<T: Scalar>(
     attitude: &UnitQuaternion<T>,

@@ -25,7 +25,7 @@ impl<S: Register> Lanes<S> {
     pub const COUNT: usize = S::F64_LANES;
 
     /// The numbers of a register.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub fn new(simd: S, numbers: S::f64s) -> Self {
         Self {
             simd,
@@ -35,32 +35,32 @@ impl<S: Register> Lanes<S> {
     }
 
     /// The same number in all lanes.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub fn splat(simd: S, number: f64) -> Self {
         Self::new(simd, simd.splat_f64s(number))
     }
 
     /// The register.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     #[must_use]
     pub fn numbers(self) -> S::f64s {
         self.numbers
     }
 
     /// The numbers as a slice.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn as_slice(&self) -> &[f64] {
         cast_slice(core::slice::from_ref(&self.numbers))
     }
 
     /// The same, to be changed.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn as_mut_slice(&mut self) -> &mut [f64] {
         cast_slice_mut(core::slice::from_mut(&mut self.numbers))
     }
 
     /// A function of each number.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn map(mut self, function: impl Fn(f64) -> f64) -> Self {
         for number in self.as_mut_slice() {
             *number = function(*number);
@@ -69,7 +69,7 @@ impl<S: Register> Lanes<S> {
     }
 
     /// A function of each pair of numbers.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn zip(mut self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
         for (number, second) in self.as_mut_slice().iter_mut().zip(other.as_slice()) {
             *number = function(*number, *second);
@@ -103,14 +103,14 @@ macro_rules! operators {
         impl<S: Register> $operator for Lanes<S> {
             type Output = Self;
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn $method(self, other: Self) -> Self {
                 Self::new(self.simd, self.simd.$function(self.numbers, other.numbers))
             }
         }
 
         impl<S: Register> $assign for Lanes<S> {
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn $method_assign(&mut self, other: Self) {
                 self.numbers = self.simd.$function(self.numbers, other.numbers);
             }
@@ -128,7 +128,7 @@ operators! {
 impl<S: Register> Neg for Lanes<S> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn neg(self) -> Self {
         Self::new(self.simd, self.simd.neg_f64s(self.numbers))
     }
@@ -144,7 +144,7 @@ pub struct Mask<S: Register> {
 impl<S: Register> BitAnd for Mask<S> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn bitand(self, other: Self) -> Self {
         let lanes = self.simd.and_m64s(self.lanes, other.lanes);
         Self { lanes, ..self }
@@ -154,7 +154,7 @@ impl<S: Register> BitAnd for Mask<S> {
 impl<S: Register> BitOr for Mask<S> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn bitor(self, other: Self) -> Self {
         let lanes = self.simd.or_m64s(self.lanes, other.lanes);
         Self { lanes, ..self }
@@ -164,7 +164,7 @@ impl<S: Register> BitOr for Mask<S> {
 impl<S: Register> Not for Mask<S> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn not(self) -> Self {
         let lanes = self.simd.not_m64s(self.lanes);
         Self { lanes, ..self }

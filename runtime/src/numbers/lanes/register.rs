@@ -61,7 +61,7 @@ pub(super) fn run_in<S: Register, W: Work>(simd: S, work: W) -> W::Output {
 }
 
 /// Runs a part of such work in a separate function, for the same register.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(crate) fn by_itself<S: Register, R>(simd: S, part: impl FnOnce() -> R) -> R {
     simd.vectorize(Part(part))
 }
@@ -72,7 +72,7 @@ struct Part<F>(F);
 impl<R, F: FnOnce() -> R> WithSimd for Part<F> {
     type Output = R;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn with_simd<Same: Simd>(self, _: Same) -> R {
         (self.0)()
     }
@@ -84,7 +84,7 @@ struct Compiled<S, W>(S, W);
 impl<S: Register, W: Work> WithSimd for Compiled<S, W> {
     type Output = W::Output;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn with_simd<Same: Simd>(self, _: Same) -> W::Output {
         self.1.run(self.0)
     }

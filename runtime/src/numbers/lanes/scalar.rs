@@ -8,7 +8,7 @@ use crate::numbers::scalar::Scalar;
 /// A comparison.
 macro_rules! compare {
     ($($name:ident $function:ident;)*) => {$(
-        #[inline(always)]
+        #[cfg_attr(not(unoptimized), inline(always))]
         fn $name(self, other: Self) -> Mask<S> {
             Mask { simd: self.simd, lanes: self.simd.$function(self.numbers, other.numbers) }
         }
@@ -18,7 +18,7 @@ macro_rules! compare {
 /// Functions that are computed lane by lane.
 macro_rules! by_lane {
     ($($name:ident)*) => {$(
-        #[inline(always)]
+        #[cfg_attr(not(unoptimized), inline(always))]
         fn $name(self) -> Self {
             self.map(<f64 as Scalar>::$name)
         }
@@ -28,7 +28,7 @@ macro_rules! by_lane {
 /// The same for two numbers.
 macro_rules! by_pair {
     ($($name:ident)*) => {$(
-        #[inline(always)]
+        #[cfg_attr(not(unoptimized), inline(always))]
         fn $name(self, other: Self) -> Self {
             self.zip(other, <f64 as Scalar>::$name)
         }
@@ -40,12 +40,12 @@ impl<S: Register> Scalar for Lanes<S> {
     const EPSILON: f64 = f64::EPSILON;
     const LANES: usize = S::F64_LANES;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn constant(self, double: f64, _: f32) -> Self {
         Self::splat(self.simd, double)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn lane(self, index: usize) -> f64 {
         self.as_slice()[index]
     }
@@ -56,7 +56,7 @@ impl<S: Register> Scalar for Lanes<S> {
         equal equal_f64s;
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn select(truth: Mask<S>, first: Self, second: Self) -> Self {
         let simd = truth.simd;
         Self::new(
@@ -65,7 +65,7 @@ impl<S: Register> Scalar for Lanes<S> {
         )
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn agreed(truth: Mask<S>) -> Option<bool> {
         let first = |mask: Mask<S>| mask.simd.first_true_m64s(mask.lanes);
         if first(!truth) >= Self::COUNT {
@@ -77,27 +77,27 @@ impl<S: Register> Scalar for Lanes<S> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn sin_cos(self) -> (Self, Self) {
         sines::sin_cos(self)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn sin(self) -> Self {
         self.sin_cos().0
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn cos(self) -> Self {
         self.sin_cos().1
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn sqrt(self) -> Self {
         Self::new(self.simd, self.simd.sqrt_f64s(self.numbers))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn abs(self) -> Self {
         Self::new(self.simd, self.simd.abs_f64s(self.numbers))
     }

@@ -49,7 +49,7 @@ const COSINE: [f64; 6] = [
 ];
 
 /// Sine and cosine.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(super) fn sin_cos<S: Register>(angle: Lanes<S>) -> (Lanes<S>, Lanes<S>) {
     if Lanes::<S>::COUNT == 1 {
         let (sine, cosine) = math::sin_cos(angle.lane(0));
@@ -83,7 +83,7 @@ fn one_by_one(angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
 }
 
 /// Sine and cosine, and the lanes in which they are those of libm.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn side_by_side<S: Register>(angle: Lanes<S>) -> ((Lanes<S>, Lanes<S>), Mask<S>) {
     let simd = angle.simd;
     let shifted = angle * number(simd, FRAC_2_PI) + number(simd, ROUND);
@@ -96,7 +96,7 @@ fn side_by_side<S: Register>(angle: Lanes<S>) -> ((Lanes<S>, Lanes<S>), Mask<S>)
 }
 
 /// The same number in all lanes.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn number<S: Register>(simd: S, number: f64) -> Lanes<S> {
     Lanes::splat(simd, number)
 }
@@ -104,7 +104,7 @@ fn number<S: Register>(simd: S, number: f64) -> Lanes<S> {
 /// The angle minus n quarter turns, in two parts, and the lanes in which these are settled.
 ///
 /// A second part of π/2 is subtracted where the exponent falls by more than 16.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn subtracted<S: Register>(angle: Lanes<S>, turns: Lanes<S>) -> (Lanes<S>, Lanes<S>, Mask<S>) {
     let simd = angle.simd;
     let mut near = angle - turns * number(simd, FIRST[0]);
@@ -125,13 +125,13 @@ fn subtracted<S: Register>(angle: Lanes<S>, turns: Lanes<S>) -> (Lanes<S>, Lanes
 
 /// Whether the exponent of the remainder is at most this much below that of the angle: a power of
 /// two.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn has_kept<S: Register>(angle: Lanes<S>, rest: Lanes<S>, most: f64) -> Mask<S> {
     power(angle).less_or_equal(number(angle.simd, most) * power(rest))
 }
 
 /// The power of two in a number.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn power<S: Register>(of: Lanes<S>) -> Lanes<S> {
     let exponent = of.simd.splat_u64s(0x7ff << 52);
     let bits = of.simd.transmute_u64s_f64s(of.numbers);
@@ -140,7 +140,7 @@ fn power<S: Register>(of: Lanes<S>) -> Lanes<S> {
 }
 
 /// Sine and cosine of the remainder of an angle.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn of_rest<S: Register>(
     angle: Lanes<S>,
     turns: Lanes<S>,
@@ -190,7 +190,7 @@ fn of_rest<S: Register>(
 }
 
 /// The same after n quarter turns, with n in the last bits of a number.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn turned<S: Register>(
     (sine, cosine): (Lanes<S>, Lanes<S>),
     shifted: Lanes<S>,
@@ -211,7 +211,7 @@ fn turned<S: Register>(
     )
 }
 
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn has_bit<S: Register>(simd: S, number: S::u64s, bit: S::u64s) -> Mask<S> {
     let lanes = simd.equal_u64s(simd.and_u64s(number, bit), bit);
     Mask { simd, lanes }

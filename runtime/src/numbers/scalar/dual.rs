@@ -53,7 +53,7 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
     }
 
     /// A function of this number, from its value and its derivative.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn map(self, value: T, slope: T) -> Self {
         Self {
             value,
@@ -62,7 +62,7 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
     }
 
     /// A function of two numbers, from its value and its two derivatives.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn join(self, other: Self, value: T, [first, second]: [T; 2]) -> Self {
         let joined = |i: usize| first * self.derivatives[i] + second * other.derivatives[i];
         Self {
@@ -72,7 +72,7 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
     }
 
     /// Like [`Self::map`], for a function whose slope may be infinite.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn map_steep(self, value: T, slope: T) -> Self {
         Self {
             value,
@@ -81,7 +81,7 @@ impl<T: Scalar, const N: usize> Dual<T, N> {
     }
 
     /// Like [`Self::join`], for a function whose slopes may be infinite.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn join_steep(self, other: Self, value: T, [first, second]: [T; 2]) -> Self {
         let joined =
             |i: usize| self.derivatives[i].along(first) + other.derivatives[i].along(second);
@@ -119,7 +119,7 @@ impl<T: Scalar, const N: usize> Default for Dual<T, N> {
 impl<T: Scalar, const N: usize> Add for Dual<T, N> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn add(self, other: Self) -> Self {
         Self {
             value: self.value + other.value,
@@ -131,7 +131,7 @@ impl<T: Scalar, const N: usize> Add for Dual<T, N> {
 impl<T: Scalar, const N: usize> Sub for Dual<T, N> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn sub(self, other: Self) -> Self {
         Self {
             value: self.value - other.value,
@@ -143,7 +143,7 @@ impl<T: Scalar, const N: usize> Sub for Dual<T, N> {
 impl<T: Scalar, const N: usize> Mul for Dual<T, N> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn mul(self, other: Self) -> Self {
         self.join(other, self.value * other.value, [other.value, self.value])
     }
@@ -152,7 +152,7 @@ impl<T: Scalar, const N: usize> Mul for Dual<T, N> {
 impl<T: Scalar, const N: usize> Div for Dual<T, N> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn div(self, other: Self) -> Self {
         let (quotient, reciprocal) = (self.value / other.value, self.one() / other.value);
         self.join(other, quotient, [reciprocal, -quotient * reciprocal])
@@ -162,7 +162,7 @@ impl<T: Scalar, const N: usize> Div for Dual<T, N> {
 impl<T: Scalar, const N: usize> Neg for Dual<T, N> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn neg(self) -> Self {
         Self {
             value: -self.value,
@@ -175,7 +175,7 @@ impl<T: Scalar, const N: usize> Neg for Dual<T, N> {
 macro_rules! assign {
     ($($operator:ident $method:ident $symbol:tt;)*) => {$(
         impl<T: Scalar, const N: usize> $operator for Dual<T, N> {
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn $method(&mut self, other: Self) {
                 *self = *self $symbol other;
             }
@@ -195,32 +195,32 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
     const EPSILON: f64 = T::EPSILON;
     const LANES: usize = T::LANES;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn constant(self, double: f64, single: f32) -> Self {
         Self::from(self.value.constant(double, single))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn lane(self, index: usize) -> f64 {
         self.value.lane(index)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn less(self, other: Self) -> T::Truth {
         self.value.less(other.value)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn less_or_equal(self, other: Self) -> T::Truth {
         self.value.less_or_equal(other.value)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn equal(self, other: Self) -> T::Truth {
         self.value.equal(other.value)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn select(truth: T::Truth, first: Self, second: Self) -> Self {
         let chosen = |i: usize| T::select(truth, first.derivatives[i], second.derivatives[i]);
         Self {
@@ -229,7 +229,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn along(self, slope: Self) -> Self {
         let product = |i: usize| {
             self.derivatives[i].along(slope.value) + self.value.along(slope.derivatives[i])
@@ -240,7 +240,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn agreed(truth: T::Truth) -> Option<bool> {
         T::agreed(truth)
     }
@@ -253,7 +253,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         self.sin_cos().1
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn sin_cos(self) -> (Self, Self) {
         let (sine, cosine) = self.value.sin_cos();
         (self.map(sine, cosine), self.map(cosine, -sine))
@@ -319,7 +319,7 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
         self.join_steep(exponent, power, slopes)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
         self.map_steep(root, self.one() / (root + root))

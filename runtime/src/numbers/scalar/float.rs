@@ -14,48 +14,48 @@ macro_rules! primitive {
             const EPSILON: f64 = $float::EPSILON as f64;
             const LANES: usize = 1;
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn constant(self, double: f64, single: f32) -> Self {
                 $constant(double, single)
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn lane(self, _: usize) -> f64 {
                 f64::from(self)
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn less(self, other: Self) -> bool {
                 self < other
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn less_or_equal(self, other: Self) -> bool {
                 self <= other
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             #[allow(clippy::float_cmp)]
             fn equal(self, other: Self) -> bool {
                 self == other
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn select(truth: bool, first: Self, second: Self) -> Self {
                 if truth { first } else { second }
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn agreed(truth: bool) -> Option<bool> {
                 Some(truth)
             }
 
-            $(#[inline(always)]
+            $(#[cfg_attr(not(unoptimized), inline(always))]
             fn $name(self, $($argument: Self),*) -> Self {
                 $function(self, $($argument),*)
             })*
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn sin_cos(self) -> (Self, Self) {
                 $sin_cos(self)
             }

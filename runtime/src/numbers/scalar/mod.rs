@@ -97,7 +97,7 @@ pub trait Scalar:
     /// A rate times the slope of a function: zero where the rate is zero, even if the slope is
     /// infinite.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn along(self, slope: Self) -> Self {
         let zero = self.constant(0.0, 0.0);
         Self::select(self.equal(zero), zero, self * slope)
@@ -176,7 +176,7 @@ pub trait Scalar:
 
 /// The values of one of two branches; if the numbers do not agree, both are computed and selected
 /// number by number.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(crate) fn either<T: Scalar, const N: usize>(
     truth: T::Truth,
     first: impl Fn() -> [T; N],

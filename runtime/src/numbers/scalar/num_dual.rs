@@ -67,14 +67,14 @@ macro_rules! operators {
         impl<D: Number> $operator for NumDual<D> {
             type Output = Self;
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn $method(self, other: Self) -> Self {
                 Self(self.0 $symbol other.0)
             }
         }
 
         impl<D: Number> $assign for NumDual<D> {
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn $assign_method(&mut self, other: Self) {
                 *self = *self $symbol other;
             }
@@ -92,7 +92,7 @@ operators! {
 impl<D: Number> Neg for NumDual<D> {
     type Output = Self;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn neg(self) -> Self {
         Self(-self.0)
     }
@@ -112,38 +112,38 @@ impl<D: Number> Scalar for NumDual<D> {
     const EPSILON: f64 = f64::EPSILON;
     const LANES: usize = 1;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn constant(self, double: f64, _: f32) -> Self {
         Self::number(double)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn lane(self, _: usize) -> f64 {
         self.0.re()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn less(self, other: Self) -> bool {
         self.0.re() < other.0.re()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn less_or_equal(self, other: Self) -> bool {
         self.0.re() <= other.0.re()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     #[allow(clippy::float_cmp)]
     fn equal(self, other: Self) -> bool {
         self.0.re() == other.0.re()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn select(truth: bool, first: Self, second: Self) -> Self {
         if truth { first } else { second }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn agreed(truth: bool) -> Option<bool> {
         Some(truth)
     }

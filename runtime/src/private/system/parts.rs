@@ -120,7 +120,7 @@ pub const fn axes(parts: &[(&[usize], Option<[usize; 2]>)]) -> Option<[usize; 2]
 }
 
 /// Any number of a state, to start a list from: a number cannot be made from nothing.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 #[must_use]
 pub fn any<S: Coordinates>(state: &S) -> S::Scalar {
     let list = state.coordinates();
@@ -138,7 +138,7 @@ pub struct Parts<'a, T> {
 
 impl<'a, T: Scalar> Parts<'a, T> {
     /// A list whose first half has this many numbers.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     #[must_use]
     pub fn of(list: &'a impl AsRef<[T]>, place: usize, any: T) -> Self {
         let list = list.as_ref();
@@ -151,7 +151,7 @@ impl<'a, T: Scalar> Parts<'a, T> {
     }
 
     /// The part of the next joint, with this many numbers in the first half.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     #[must_use]
     pub fn take<const N: usize>(&mut self, first: usize) -> [T; N] {
         core::array::from_fn(|k| {
@@ -174,7 +174,7 @@ pub struct PartsMut<'a, T> {
 
 impl<'a, T: Scalar> PartsMut<'a, T> {
     /// A list whose first half has this many numbers.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     #[must_use]
     pub fn of(list: &'a mut impl AsMut<[T]>, place: usize) -> Self {
         let list = list.as_mut();
@@ -186,7 +186,7 @@ impl<'a, T: Scalar> PartsMut<'a, T> {
     }
 
     /// The part of the next joint, with this many numbers in the first half.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub fn put(&mut self, part: &[T], first: usize) {
         for (k, number) in part.iter().enumerate() {
             let half = if k < first {

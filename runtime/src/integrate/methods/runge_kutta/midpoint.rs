@@ -53,7 +53,7 @@ impl RungeKutta for Midpoint {
     const ORDER: usize = 2;
     const IS_IMPLICIT: bool = true;
 
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn increment<B: RigidBody<Scalar: Scalar, State: Coordinates>>(
         equations: &Equations<'_, B>,
         time: B::Scalar,
@@ -88,7 +88,7 @@ impl RungeKutta for Midpoint {
 }
 
 /// Whether two rates give the same step, to rounding of the coordinates of a group.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn agree<S: Coordinates>(
     coordinates: &S::Array,
     rates: &S::Array,

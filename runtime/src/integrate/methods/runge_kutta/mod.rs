@@ -66,7 +66,7 @@ pub trait RungeKutta: Copy + core::fmt::Debug + Send + Sync {
 /// assert!((energy(&later) - energy(&start)).abs() < 1e-13);
 /// ```
 #[must_use]
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub fn runge_kutta_step<M: RungeKutta, B: RigidBody<Scalar: Scalar, State: Coordinates>>(
     body: &B,
     time: B::Scalar,
@@ -86,7 +86,7 @@ pub fn runge_kutta_step<M: RungeKutta, B: RigidBody<Scalar: Scalar, State: Coord
 }
 
 /// `start + (h a₁ k₁ + h a₂ k₂ + ..)`, coordinate by coordinate.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(super) fn moved<S: Coordinates, const M: usize>(
     start: &S::Array,
     step: S::Scalar,
@@ -103,7 +103,7 @@ pub(super) fn moved<S: Coordinates, const M: usize>(
 ///
 /// The factors h a are the same for all coordinates, and for all steps of equal length: they are
 /// computed once.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn change<S: Coordinates, const M: usize>(
     step: S::Scalar,
     terms: [(f64, &S::Array); M],
@@ -121,7 +121,7 @@ fn change<S: Coordinates, const M: usize>(
 }
 
 /// A coefficient as a scalar.
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(super) fn number<T: Scalar>(like: T, value: f64) -> T {
     #[expect(
         clippy::cast_possible_truncation,
@@ -169,7 +169,7 @@ macro_rules! tableau {
         impl RungeKutta for $name {
             const ORDER: usize = $order;
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn increment<B: RigidBody<Scalar: Scalar, State: Coordinates>>(
                 equations: &Equations<'_, B>,
                 time: B::Scalar,
@@ -186,7 +186,7 @@ macro_rules! tableau {
 
             type Differences<A> = [A; 0 $(+ tableau!(@one $difference))+];
 
-            #[inline(always)]
+            #[cfg_attr(not(unoptimized), inline(always))]
             fn sums<E: Rates>(
                 equations: &E,
                 time: <E::State as State>::Scalar,

@@ -90,14 +90,14 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
     }
 
     /// The series at the current point.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn expand(&mut self, input: &B::Input) {
         self.is_crossing = false;
         self.expansions.expand(&self.within, &self.now, input);
     }
 
     /// Advances along the series.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn advance(&mut self, step: f64) -> Result<(), IntegrationError<B::State>> {
         let change = increment::<B::State>(self.expansions.series().coefficients(), step);
         if self.now.advance(change, step) {

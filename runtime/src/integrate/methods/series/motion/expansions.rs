@@ -28,7 +28,7 @@ impl<B: Taylor, const N: usize> Default for Expansions<B, N> {
 
 impl<B: Taylor, const N: usize> Expansions<B, N> {
     /// The series of the step.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn series(&self) -> &Series<B::State, N> {
         let [first, second] = &self.both;
         if self.is_second { second } else { first }
@@ -40,7 +40,7 @@ impl<B: Taylor, const N: usize> Expansions<B, N> {
     }
 
     /// The series of the next step.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn expand(&mut self, body: &Within<'_, B>, now: &Point<B::State>, input: &B::Input) {
         if self.is_ahead {
             (self.is_second, self.is_ahead) = (!self.is_second, false);
@@ -53,7 +53,7 @@ impl<B: Taylor, const N: usize> Expansions<B, N> {
 
     /// The series of the step, and the series at its end, which the next step uses unless
     /// it is [forgotten](Self::forget).
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn ahead(
         &mut self,
         body: &Within<'_, B>,
@@ -72,7 +72,7 @@ impl<B: Taylor, const N: usize> Expansions<B, N> {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(unoptimized), inline(always))]
 fn write<B: Taylor, const N: usize>(
     expander: &mut Expander<B, N>,
     body: &Within<'_, B>,

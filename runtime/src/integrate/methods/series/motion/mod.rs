@@ -170,7 +170,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
     }
 
     /// The last step.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn taken(&self, start: f64, length: f64) -> Step<'_, B::State> {
         let coefficients = if self.is_crossing {
             self.crossing.as_slice()

@@ -14,7 +14,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
     ///
     /// They may vanish, or nearly, although the series continues: cos t² has every fourth term. A
     /// step that grows is therefore also compared with earlier terms, which give the same radius.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn permitted(&self, tolerance: f64) -> f64 {
         let (last, before) = (
             self.within_order(N - 1, tolerance),
@@ -29,7 +29,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
     }
 
     /// The step at which the term of this order is as large as `tolerance`.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn within_order(&self, order: usize, tolerance: f64) -> f64 {
         let size = self.relative(order);
         if size == 0.0 {
@@ -54,7 +54,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
     }
 
     /// The size of a coefficient relative to the state.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn relative(&self, order: usize) -> f64 {
         let coefficients = self.expansions.series().coefficients();
         relative_size::<B::State>(&coefficients[order], &coefficients[0])

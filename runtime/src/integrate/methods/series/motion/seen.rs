@@ -19,7 +19,7 @@ const GROW: f64 = 6.0;
 impl<B: Taylor, const N: usize> Motion<'_, B, N> {
     /// Follows the series for at most this time \[s\], as far as the equations agree; crosses the
     /// place if they do not agree at all.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn follow(
         &mut self,
         mut length: f64,
@@ -70,7 +70,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
     }
 
     /// Checks from time to time whether the motion chatters.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn look(
         &mut self,
         rest: f64,
@@ -97,7 +97,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
     /// Takes a step, to a given time if it is known, if the equations agree with it; otherwise
     /// returns the time \[s\] of disagreement. A step longer than those before it is checked
     /// throughout. A step that `goes_on` is compared with the rates of the next one.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn agreed(
         &mut self,
         step: f64,
@@ -135,7 +135,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
     }
 
     /// Takes a step, if the series at its end begins with its final rates.
-    #[inline(always)]
+    #[cfg_attr(not(unoptimized), inline(always))]
     fn led(&mut self, step: f64, input: &B::Input, tolerance: f64) -> bool {
         let mut change = increment::<B::State>(self.expansions.series().coefficients(), step);
         let Some(end) = self.now.moved(&mut change) else {

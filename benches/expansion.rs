@@ -1,39 +1,11 @@
 //! The time of expansion of descriptions, and its growth with their size.
 //!
-//! The compiler is mounted here, since a proc-macro crate cannot be linked. Proc macros run
-//! unoptimized in every build of a user's crate, so run this in the same way: `cargo test --bench
-//! expansion`, which is `cargo bench` without optimization. Robot files, with a floating root,
-//! follow as `-- robot.urdf:root_link`.
-#![allow(dead_code)]
+//! Proc macros run unoptimized in every build of a user's crate, so run this in the same way: `cargo
+//! test --bench expansion`, which is `cargo bench` without optimization. Robot files, with a
+//! floating root, follow as `-- robot.urdf:root_link`.
 
-#[path = "../macros/src/checks.rs"]
-mod checks;
 #[path = "../tests/compiler/descriptions.rs"]
 mod descriptions;
-#[path = "../macros/src/emit/mod.rs"]
-mod emit;
-#[path = "../macros/src/errors.rs"]
-mod errors;
-#[path = "../macros/src/expand.rs"]
-mod expand;
-#[path = "../macros/src/families.rs"]
-mod families;
-#[path = "../macros/src/fraction.rs"]
-mod fraction;
-#[path = "../macros/src/lower/mod.rs"]
-mod lower;
-#[path = "../macros/src/mechanics/mod.rs"]
-mod mechanics;
-#[path = "../macros/src/model/mod.rs"]
-mod model;
-#[path = "../macros/src/outputs/mod.rs"]
-mod outputs;
-#[path = "../macros/src/range.rs"]
-mod range;
-#[path = "../macros/src/symbolic/mod.rs"]
-mod symbolic;
-#[path = "../macros/src/syntax/mod.rs"]
-mod syntax;
 
 use std::sync::LazyLock;
 use std::time::Instant;
@@ -152,7 +124,7 @@ fn main() {
     ];
     for (name, description) in bodies {
         row(name, || {
-            expand::expand(quote!((::newton_euler) #description))
+            mounted::expand::expand(quote!((::newton_euler) #description))
         });
     }
     let references = include_str!("../tests/systems/described.rs");
@@ -180,7 +152,7 @@ fn main() {
     }
     for (name, description) in systems {
         row(&name, || {
-            expand::expand_system(quote!((::newton_euler) #description))
+            mounted::expand::expand_system(quote!((::newton_euler) #description))
         });
     }
 }

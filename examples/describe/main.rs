@@ -7,26 +7,13 @@
 //!
 //! Arguments after the file are additional keys. All numbers are in SI units and
 //! keep their decimals; rustfmt formats the text.
-#![allow(
-    dead_code,
-    unused_imports,
-    reason = "the compiler reads more than is printed"
-)]
 
-#[path = "../../macros/src/errors.rs"]
-mod errors;
-#[path = "../../macros/src/families.rs"]
-mod families;
-#[path = "../../macros/src/fraction.rs"]
-mod fraction;
-#[path = "../../macros/src/syntax/mod.rs"]
-mod syntax;
 mod text;
 
 use std::path::Path;
 use std::process::ExitCode;
 
-use errors::Errors;
+use mounted::errors::Errors;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
@@ -49,7 +36,7 @@ fn described(path: &Path, beside: &str) -> Result<TokenStream, Vec<String>> {
     );
     let name = name(path);
     let mut errors = Errors::default();
-    let system = syntax::parse_system(
+    let system = mounted::syntax::parse_system(
         quote!((::newton_euler) #name { #key: #file, #beside }),
         &mut errors,
     );

@@ -6,9 +6,9 @@ use std::process::{Command, Stdio};
 use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::quote;
 
-use crate::families::LoadKind;
-use crate::fraction::Fraction;
-use crate::syntax::{
+use mounted::families::LoadKind;
+use mounted::fraction::Fraction;
+use mounted::syntax::{
     Composition, Declaration, Definition, Description, Expression, Kind, Load, Operator, Prefix,
     Step, System, UnitExpression,
 };

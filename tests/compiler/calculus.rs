@@ -1,6 +1,6 @@
 //! What the constructors promise: simplification, stages, schedule and cost.
 
-use crate::symbolic::{Comparison, Function, Graph, Id, Node, Number, Stage};
+use mounted::symbolic::{Comparison, Function, Graph, Id, Node, Number, Stage};
 
 #[test]
 fn equal_expressions_are_one_node() {

@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::expand::expand_system;
 use crate::{expand_description, pretty};
+use mounted::expand::expand_system;
 
 /// The lines under "Inertia about G:".
 fn class(inertia: TokenStream) -> Vec<String> {

@@ -1,6 +1,6 @@
 //! Eigenvalues and eigenvectors of constant tensors: residuals in exact arithmetic.
 
-use crate::symbolic::{Function, Number, PrincipalAxes, Spectrum, Symmetry};
+use mounted::symbolic::{Function, Number, PrincipalAxes, Spectrum, Symmetry};
 
 type Matrix = [[Number; 3]; 3];
 

@@ -1,6 +1,6 @@
 //! Equations with coefficients of the state, and the chain rule backwards.
 
-use crate::symbolic::{Equation, Function, Graph, Id, Node, Number, Size, Stage, free};
+use mounted::symbolic::{Equation, Function, Graph, Id, Node, Number, Size, Stage, free};
 
 fn row(g: &mut Graph, coefficients: &[Id], right: i64) -> Equation {
     Equation {
@@ -85,7 +85,7 @@ fn the_chain_rule_backwards_is_the_chain_rule() {
         let root = g.apply(Function::Sqrt, &[square]);
         let ratio = g.divide(sum, root);
         let angle = g.apply(Function::Atan2, &[ratio, y]);
-        let condition = g.compare(crate::symbolic::Comparison::Less, x, y);
+        let condition = g.compare(mounted::symbolic::Comparison::Less, x, y);
         let choice = g.select(condition, angle, product);
         let choice = g.quantity(choice);
         g.subtract(choice, sine)

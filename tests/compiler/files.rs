@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::errors::Errors;
-use crate::expand::expand_system;
-use crate::{syntax, text};
+use crate::text;
+use mounted::errors::Errors;
+use mounted::expand::expand_system;
+use mounted::syntax;
 
 /// Numbers that look random, the same in each run.
 pub struct Random(pub u64);

@@ -1,36 +1,10 @@
-//! The compiler from inside: its rooms are mounted here, since a proc-macro crate cannot be linked.
-#![allow(missing_docs, dead_code)]
+//! The compiler from inside.
+#![allow(missing_docs)]
 #![allow(
     clippy::needless_pass_by_value,
     reason = "a description is consumed by its expansion"
 )]
 
-#[path = "../../macros/src/checks.rs"]
-mod checks;
-#[path = "../../macros/src/emit/mod.rs"]
-mod emit;
-#[path = "../../macros/src/errors.rs"]
-mod errors;
-#[path = "../../macros/src/expand.rs"]
-mod expand;
-#[path = "../../macros/src/families.rs"]
-mod families;
-#[path = "../../macros/src/fraction.rs"]
-mod fraction;
-#[path = "../../macros/src/lower/mod.rs"]
-mod lower;
-#[path = "../../macros/src/mechanics/mod.rs"]
-mod mechanics;
-#[path = "../../macros/src/model/mod.rs"]
-mod model;
-#[path = "../../macros/src/outputs/mod.rs"]
-mod outputs;
-#[path = "../../macros/src/range.rs"]
-mod range;
-#[path = "../../macros/src/symbolic/mod.rs"]
-mod symbolic;
-#[path = "../../macros/src/syntax/mod.rs"]
-mod syntax;
 #[path = "../../examples/describe/text.rs"]
 mod text;
 
@@ -55,7 +29,7 @@ use quote::quote;
 
 /// The expansion of a description, as the macro of the runtime would ask for it.
 fn expand_description(description: TokenStream) -> TokenStream {
-    expand::expand(quote!((::newton_euler) #description))
+    mounted::expand::expand(quote!((::newton_euler) #description))
 }
 
 /// The expansion as `cargo expand` prints it, derives left as they are: without what is for rustdoc alone.

@@ -6,10 +6,10 @@ use std::path::Path;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 
-use crate::errors::Errors;
-use crate::expand::expand_system;
 use crate::files::{Random, errors, mutant};
-use crate::syntax;
+use mounted::errors::Errors;
+use mounted::expand::expand_system;
+use mounted::syntax;
 
 /// The path of a file with this text; tests that run at once have files of their own.
 fn written(name: &str, text: &[u8]) -> String {

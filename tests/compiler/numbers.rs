@@ -1,6 +1,6 @@
 //! Exact numbers: literals, the one rounding, functions to 256 bits.
 
-use crate::symbolic::{Function, Number};
+use mounted::symbolic::{Function, Number};
 
 fn parse(digits: &str) -> Number {
     Number::parse(digits).expect("a number")

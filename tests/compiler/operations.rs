@@ -1,7 +1,7 @@
 //! Every operation of the graph through one table: the simplifying constructors against plain
 //! arithmetic, the interpreter, and the derivative against differences.
 
-use crate::symbolic::{Comparison, Function, Graph, Id, Number, Stage};
+use mounted::symbolic::{Comparison, Function, Graph, Id, Number, Stage};
 
 /// An operation on three symbols: its name, how the graph makes it, and what it is.
 pub type Operation = (
@@ -193,7 +193,10 @@ pub const OPERATIONS: [Operation; 36] = [
         "like terms",
         |g, [a, b, c]| {
             // 3 a b - a b / 2 + c a b
-            let (three, half) = (g.integer(3), g.number(crate::symbolic::Number::ratio(1, 2)));
+            let (three, half) = (
+                g.integer(3),
+                g.number(mounted::symbolic::Number::ratio(1, 2)),
+            );
             let ab = g.multiply(a, b);
             let (x, y, z) = (
                 g.multiply(three, ab),
@@ -282,7 +285,8 @@ fn numbers_fold_to_the_same_value() {
         for values in VALUES {
             let mut graph = Graph::default();
             let given = values.map(|value| {
-                let number = crate::symbolic::Number::parse(&value.to_string()).expect("a number");
+                let number =
+                    mounted::symbolic::Number::parse(&value.to_string()).expect("a number");
                 graph.number(number)
             });
             let made = build(&mut graph, given);
@@ -305,7 +309,8 @@ fn substitution_by_numbers_is_exact_evaluation() {
         let made = build(&mut graph, given);
         for values in VALUES {
             let numbers = values.map(|value| {
-                let number = crate::symbolic::Number::parse(&value.to_string()).expect("a number");
+                let number =
+                    mounted::symbolic::Number::parse(&value.to_string()).expect("a number");
                 graph.number(number)
             });
             let value = graph.substitute(&[made], |id| {

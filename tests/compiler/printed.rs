@@ -7,8 +7,9 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{Item, ItemMacro};
 
-use crate::errors::Errors;
-use crate::{syntax, text};
+use crate::text;
+use mounted::errors::Errors;
+use mounted::syntax;
 
 fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))

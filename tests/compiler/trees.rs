@@ -2,13 +2,13 @@
 
 use serde_json::Value;
 
-use crate::mechanics::tree::link::{Freedom, Link, Tree};
-use crate::mechanics::tree::pair::Pair;
-use crate::mechanics::tree::properties::Properties;
-use crate::mechanics::tree::turning::Turning;
-use crate::mechanics::tree::{derive_tree, lacking};
-use crate::model::Labels;
-use crate::symbolic::{Components, Graph, Id, Number, Stage};
+use mounted::mechanics::tree::link::{Freedom, Link, Tree};
+use mounted::mechanics::tree::pair::Pair;
+use mounted::mechanics::tree::properties::Properties;
+use mounted::mechanics::tree::turning::Turning;
+use mounted::mechanics::tree::{derive_tree, lacking};
+use mounted::model::Labels;
+use mounted::symbolic::{Components, Graph, Id, Number, Stage};
 
 /// A tree of a reference, and the values of its symbols.
 struct Reference {

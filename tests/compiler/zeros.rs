@@ -4,7 +4,7 @@ use quote::{format_ident, quote};
 
 use crate::expand_description;
 use crate::operations::{OPERATIONS, symbols};
-use crate::symbolic::{
+use mounted::symbolic::{
     Algebra, Comparison, Function, Graph, Id, Number, Residue, Stage, free, on_branches,
 };
 

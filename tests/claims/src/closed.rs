@@ -1,7 +1,7 @@
 //! Closed forms: what they take for the moment and for the acceleration of G.
 
-use fuzz::mechanics::{Free, Rotation};
-use fuzz::symbolic::Id;
+use mounted::mechanics::{Free, Rotation};
+use mounted::symbolic::Id;
 
 use crate::answer::{Answer, differs, shown};
 use crate::layout::{Layout, translates};

@@ -1,14 +1,14 @@
 //! A description as the compiler understands it.
 
-use fuzz::errors::Errors;
-use fuzz::lower::{lower_description, outline};
-use fuzz::mechanics::{
+use mounted::errors::Errors;
+use mounted::lower::{lower_description, outline};
+use mounted::mechanics::{
     Equations, Flow, Structure, derive_equations, derive_flow, describe_equations, with_potentials,
 };
-use fuzz::model::{Meaning, Model, Workspace};
-use fuzz::outputs::{derive_outputs, offers};
-use fuzz::symbolic::{Id, Node};
-use fuzz::syntax::parse_description;
+use mounted::model::{Meaning, Model, Workspace};
+use mounted::outputs::{derive_outputs, offers};
+use mounted::symbolic::{Id, Node};
+use mounted::syntax::parse_description;
 use proc_macro2::TokenStream;
 
 use crate::description::body::Body;
@@ -36,7 +36,11 @@ impl Compiled {
         let mut errors = Errors::default();
         let described = parse_description(tokens, &mut errors);
         let solved = described.and_then(|description| {
-            let mut outline = outline(&description, &offers::<fuzz::model::Model>(), &mut errors);
+            let mut outline = outline(
+                &description,
+                &offers::<mounted::model::Model>(),
+                &mut errors,
+            );
             let (model, mut work) = lower_description(&description, &mut outline, &mut errors)?;
             let model = with_potentials(model, &mut work);
             let (model, equations) = derive_equations(model, &mut work, &mut errors)?;

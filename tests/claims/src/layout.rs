@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use fuzz::model::{Meaning, Variable};
+use mounted::model::{Meaning, Variable};
 
 use crate::description::body::{Body, Motion};
 

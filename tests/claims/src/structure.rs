@@ -1,6 +1,6 @@
 //! What `STRUCTURE` says, and the accelerations themselves.
 
-use fuzz::mechanics::{Dependence, QUANTITIES, Symmetry};
+use mounted::mechanics::{Dependence, QUANTITIES, Symmetry};
 
 use crate::answer::{Answer, answer, differs, shown};
 use crate::given::Given;

@@ -10,8 +10,8 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
 use crate::corpus::is_system;
-use crate::expand::{expand, expand_system};
 use crate::flat::{Token, unflatten};
+use mounted::expand::{expand, expand_system};
 
 /// An answer, and the time of the processor that it took.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -10,7 +10,7 @@ use newton_euler::principal::PrincipalAxes;
 use newton_euler::wrench::{PlanarReduction, Reduction};
 use newton_euler::{attitude, gyroscopic};
 
-crate::cannot_panic! {
+cannot_panic! {
     fn exp(rotation: &Vector3<f64>) -> UnitQuaternion<f64> {
         attitude::exp(rotation)
     }

@@ -5,7 +5,7 @@ use newton_euler::ensemble::Ensemble;
 use crate::kinds::*;
 use crate::systems::DoublePendulum;
 
-crate::cannot_panic! {
+cannot_panic! {
     fn crafts(ensemble: &mut Ensemble<Craft<f64>>, start: f64, end: f64, steps: usize) -> () {
         ensemble.cf4(start..end, steps);
     }

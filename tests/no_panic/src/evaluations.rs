@@ -20,7 +20,7 @@ macro_rules! accelerations {
             type Input = <$body as RigidBody>::Input;
             type Real = <$body as RigidBody>::Scalar;
 
-            crate::cannot_panic! {
+            cannot_panic! {
                 fn acceleration(body: &$body, time: Real, state: &State, input: &Input)
                 -> <State as newton_euler::state::State>::Acceleration {
                     body.acceleration(time, state, input)
@@ -49,7 +49,7 @@ macro_rules! energies {
             type Input = <$body as RigidBody>::Input;
             type Real = <$body as RigidBody>::Scalar;
 
-            crate::cannot_panic! {
+            cannot_panic! {
                 fn kinetic_energy(body: &$body, state: &State) -> Real {
                     body.kinetic_energy(state)
                 }
@@ -117,7 +117,7 @@ energies! {
 mod others {
     use super::*;
 
-    crate::cannot_panic! {
+    cannot_panic! {
         fn momenta(body: &Craft<f64>, time: f64, state: &Spatial) -> [Vector3<f64>; 3] {
             [
                 body.linear_momentum(state),

@@ -23,7 +23,7 @@ macro_rules! steps {
             type Input = <$body as RigidBody>::Input;
             type Real = <$body as RigidBody>::Scalar;
 
-            crate::cannot_panic! {
+            cannot_panic! {
                 fn midpoint(body: &$body, time: Real, state: &State, input: &Input, step: Real) -> State {
                     runge_kutta_step::<Midpoint, _>(body, time, state, input, step)
                 }
@@ -61,7 +61,7 @@ macro_rules! motions {
             type State = <$body as RigidBody>::State;
             type Input = <$body as RigidBody>::Input;
 
-            crate::cannot_panic! {
+            cannot_panic! {
                 fn advance(
                     run: &mut <$method as Method<$body>>::Run<'_>,
                     end: f64,
@@ -192,7 +192,7 @@ mod others {
         outputs: [flow],
     });
 
-    crate::cannot_panic! {
+    cannot_panic! {
         fn flow_of_a_gyrostat(system: &Satellite, state: &SatelliteState, time: f64) -> SatelliteState {
             system.flow(state, time)
         }

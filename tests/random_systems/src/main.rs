@@ -68,7 +68,7 @@ mod tests {
     use super::draw::linkages::LINKAGES;
     use super::draw::{Drawn, Extent, drawn};
     use super::*;
-    use fuzz::symbolic::{Id, Number};
+    use mounted::symbolic::{Id, Number};
 
     /// An expansion without optimisation takes ten times as long.
     const SYSTEMS: usize = if cfg!(debug_assertions) { 25 } else { 300 };

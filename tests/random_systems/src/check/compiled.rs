@@ -2,19 +2,19 @@
 
 use std::collections::HashMap;
 
-use fuzz::errors::Errors;
-use fuzz::lower::{lower_system, outline, outline_system};
-use fuzz::mechanics::{
+use mounted::errors::Errors;
+use mounted::lower::{lower_system, outline, outline_system};
+use mounted::mechanics::{
     Balance, Consistency, Energy, Inertias, Jacobian, Linearization, Momentum, SystemEquations,
     derive_inertias, derive_jacobians, derive_system, derive_system_balances,
     derive_system_consistency, derive_system_driving, derive_system_energy, derive_system_inverse,
     derive_system_momentum, derive_system_open, derive_system_reactions, describe_system,
     differentiated_system, linearize, sensitivity, with_system_potentials,
 };
-use fuzz::model::{Meaning, Outline, System, Variable, Workspace};
-use fuzz::outputs::offers;
-use fuzz::symbolic::{Comparison, Components, Function, Id, Node, Number, Table};
-use fuzz::syntax::parse_system;
+use mounted::model::{Meaning, Outline, System, Variable, Workspace};
+use mounted::outputs::offers;
+use mounted::symbolic::{Comparison, Components, Function, Id, Node, Number, Table};
+use mounted::syntax::parse_system;
 use proc_macro2::TokenStream;
 
 use crate::law::kind::Rates;

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use fuzz::mechanics::{Column, Linearization, Row};
-use fuzz::model::{Group, Variable};
+use mounted::mechanics::{Column, Linearization, Row};
+use mounted::model::{Group, Variable};
 
 use super::state::{State, slope};
 use super::{Checks, Failure, apart};

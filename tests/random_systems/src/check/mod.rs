@@ -13,7 +13,7 @@ mod totals;
 use std::fmt::Write as _;
 
 use fastrand::Rng;
-use fuzz::symbolic::Id;
+use mounted::symbolic::Id;
 
 use crate::draw::Drawn;
 use crate::law::scene::{Loads, Scene};

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use fuzz::symbolic::Id;
+use mounted::symbolic::Id;
 
 use super::Checks;
 use crate::law::kind::{Kind, Rates};

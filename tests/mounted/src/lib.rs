@@ -1,0 +1,40 @@
+//! The compiler as a library: its rooms are mounted here, since a proc-macro crate cannot be linked.
+#![allow(missing_docs, dead_code)]
+#![allow(
+    unfulfilled_lint_expectations,
+    reason = "what is public here is private in the compiler"
+)]
+#![allow(
+    clippy::must_use_candidate,
+    clippy::missing_panics_doc,
+    clippy::needless_pass_by_value,
+    clippy::return_self_not_must_use,
+    reason = "tests alone use it"
+)]
+
+#[path = "../../../macros/src/checks.rs"]
+pub mod checks;
+#[path = "../../../macros/src/emit/mod.rs"]
+pub mod emit;
+#[path = "../../../macros/src/errors.rs"]
+pub mod errors;
+#[path = "../../../macros/src/expand.rs"]
+pub mod expand;
+#[path = "../../../macros/src/families.rs"]
+pub mod families;
+#[path = "../../../macros/src/fraction.rs"]
+pub mod fraction;
+#[path = "../../../macros/src/lower/mod.rs"]
+pub mod lower;
+#[path = "../../../macros/src/mechanics/mod.rs"]
+pub mod mechanics;
+#[path = "../../../macros/src/model/mod.rs"]
+pub mod model;
+#[path = "../../../macros/src/outputs/mod.rs"]
+pub mod outputs;
+#[path = "../../../macros/src/range.rs"]
+pub mod range;
+#[path = "../../../macros/src/symbolic/mod.rs"]
+pub mod symbolic;
+#[path = "../../../macros/src/syntax/mod.rs"]
+pub mod syntax;

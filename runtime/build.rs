@@ -6,6 +6,8 @@
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rustc-check-cfg=cfg(unoptimized)");
+    // of editors
+    println!("cargo::rustc-check-cfg=cfg(rust_analyzer)");
     if std::env::var("OPT_LEVEL").is_ok_and(|level| level == "0") {
         println!("cargo::rustc-cfg=unoptimized");
     }

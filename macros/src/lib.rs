@@ -4,6 +4,7 @@
 #![forbid(unsafe_code)]
 
 mod checks;
+mod editor;
 mod emit;
 mod errors;
 mod expand;
@@ -27,4 +28,19 @@ pub fn rigid_body(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
 #[proc_macro]
 pub fn rigid_system(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     expand::expand_system(input.into()).into()
+}
+
+/// The same as `rigid_body`, after the words of the description as code. Errors repeat words as
+/// text, so completion finds its place only in front of them.
+#[proc_macro]
+pub fn rigid_body_in_editors(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    let words = editor::expand_words(input.clone().into());
+    [words.into(), rigid_body(input)].into_iter().collect()
+}
+
+/// The same as `rigid_system`, after the words of the description as code.
+#[proc_macro]
+pub fn rigid_system_in_editors(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    let words = editor::expand_words_of_system(input.clone().into());
+    [words.into(), rigid_system(input)].into_iter().collect()
 }

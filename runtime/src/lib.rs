@@ -114,6 +114,7 @@ pub use mechanics::{attitude, field, gyroscopic, inertia, load, principal, wrenc
 #[cfg(feature = "ensemble")]
 pub use numbers::lanes;
 pub use numbers::scalar;
+#[cfg(rust_analyzer)]
 #[doc(hidden)]
 pub mod schema;
 pub use tops::{precession, top};

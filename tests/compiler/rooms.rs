@@ -8,7 +8,7 @@ use syn::punctuated::Punctuated;
 use syn::visit::Visit;
 
 /// What each room may import of the others.
-const ROOMS: [(&str, &[&str]); 13] = [
+const ROOMS: [(&str, &[&str]); 14] = [
     ("errors", &[]),
     ("families", &[]),
     ("fraction", &[]),
@@ -24,6 +24,7 @@ const ROOMS: [(&str, &[&str]); 13] = [
     ("mechanics", &["errors", "families", "symbolic", "model"]),
     ("range", &["errors", "symbolic", "model"]),
     ("checks", &["errors", "symbolic", "model"]),
+    ("editor", &["errors", "syntax", "model", "lower"]),
     ("emit", &["families", "symbolic", "model", "mechanics"]),
     (
         "outputs",

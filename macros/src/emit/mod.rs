@@ -1,7 +1,8 @@
 //! From equations to tokens. Nothing can fail here.
 //!
-//! Together with the outputs, this is the only room that names the runtime: everything goes through
-//! the path passed by the wrapper of the macro, so a renamed dependency or a re-export works.
+//! With the outputs and the words for editors, this is the only room that names the runtime:
+//! everything goes through the path passed by the wrapper of the macro, so a renamed dependency or a
+//! re-export works.
 
 pub mod code;
 pub mod items;
@@ -65,11 +66,11 @@ pub fn emit_body(
     let integrate = items::emit_integrate(&site, addition.best);
     let added = &addition.implementations;
     let columns = items::emit_columns(outline, &constructor);
-    let checks = items::emit_checks(outline);
+    let unused = items::emit_unused(outline);
     let all = quote!(#items #rigid_body #integrate #added #columns);
     let all = items::with_private_fields(outline, all, &addition.structs);
     let foreign = sound.map(|sound| items::emit_foreign(outline, &sound.work));
     let files = sound.iter().flat_map(|sound| &sound.work.files);
     let files = files.map(|path| emit_tracked(Some(path)));
-    quote!(#all #foreign #checks #(#files)*)
+    quote!(#all #foreign #unused #(#files)*)
 }

@@ -1,7 +1,12 @@
 //! All names of generated code. Not for users: no promise of stability.
 
 pub use nalgebra::{SMatrix, UnitQuaternion, Vector2, Vector3};
+#[cfg(not(rust_analyzer))]
 pub use newton_euler_macros::{rigid_body, rigid_system};
+#[cfg(rust_analyzer)]
+pub use newton_euler_macros::{
+    rigid_body_in_editors as rigid_body, rigid_system_in_editors as rigid_system,
+};
 
 pub use crate::bodies::body::{
     Balance, DrivenEnergy, DrivenMomentum, Energy, Flow, InvalidBody, Inverse, Jacobian,

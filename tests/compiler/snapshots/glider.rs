@@ -287,7 +287,3 @@ mod equations_of_Glider {
 }
 #[allow(unused_imports)]
 pub use equations_of_Glider::{Glider, GliderParams};
-const _: fn(&::newton_euler::schema::Body) = |body| {
-    let _ = [&body.doc, &body.motion, &body.params, &body.mass, &body.inertia];
-    let _ = [&body.points, &body.fields, &body.moments, &body.outputs];
-};

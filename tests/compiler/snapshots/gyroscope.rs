@@ -277,7 +277,3 @@ mod equations_of_Gyroscope {
 }
 #[allow(unused_imports)]
 pub use equations_of_Gyroscope::{Gyroscope, GyroscopeParams};
-const _: fn(&::newton_euler::schema::Body) = |body| {
-    let _ = [&body.doc, &body.motion, &body.params, &body.mass, &body.inertia];
-    let _ = [&body.points, &body.fields, &body.outputs];
-};

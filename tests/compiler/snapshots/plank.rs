@@ -188,7 +188,3 @@ mod equations_of_Plank {
 }
 #[allow(unused_imports)]
 pub use equations_of_Plank::{Plank, PlankParams};
-const _: fn(&::newton_euler::schema::Body) = |body| {
-    let _ = [&body.doc, &body.motion, &body.params, &body.mass, &body.inertia];
-    let _ = [&body.fields, &body.outputs];
-};

@@ -197,8 +197,3 @@ mod equations_of_Quadrotor {
 }
 #[allow(unused_imports)]
 pub use equations_of_Quadrotor::{Quadrotor, QuadrotorParams, QuadrotorInput};
-const _: fn(&::newton_euler::schema::Body) = |body| {
-    let _ = [&body.doc, &body.motion, &body.params, &body.inputs, &body.mass];
-    let _ = [&body.inertia, &body.points, &body.fields, &body.forces, &body.locals];
-    let _ = [&body.moments];
-};

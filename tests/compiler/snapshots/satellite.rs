@@ -212,7 +212,3 @@ impl ::newton_euler::private::Structured for Satellite {
         ..::newton_euler::private::Structure::GENERAL
     };
 }
-const _: fn(&::newton_euler::schema::Body) = |body| {
-    let _ = [&body.doc, &body.motion, &body.inputs, &body.inertia, &body.moments];
-    let _ = [&body.outputs];
-};

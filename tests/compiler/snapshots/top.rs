@@ -191,7 +191,3 @@ mod equations_of_Top {
 }
 #[allow(unused_imports)]
 pub use equations_of_Top::{Top, TopParams};
-const _: fn(&::newton_euler::schema::Body) = |body| {
-    let _ = [&body.doc, &body.motion, &body.params, &body.mass, &body.inertia];
-    let _ = [&body.points, &body.fields];
-};

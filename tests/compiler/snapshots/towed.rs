@@ -173,7 +173,3 @@ mod equations_of_Towed {
 }
 #[allow(unused_imports)]
 pub use equations_of_Towed::{Towed, TowedParams};
-const _: fn(&::newton_euler::schema::Body) = |body| {
-    let _ = [&body.doc, &body.motion, &body.params, &body.mass, &body.inertia];
-    let _ = [&body.points, &body.forces, &body.outputs];
-};

@@ -19,4 +19,4 @@ pub use foreign::emit_foreign;
 pub use open::{open_drives, open_reactions, write_open};
 pub use record::{Field, Record};
 pub use rigid_body::{Best, Equated, emit_integrate, emit_rigid_body, write_acceleration};
-pub use structs::{emit_checks, emit_items, with_private_fields};
+pub use structs::{emit_items, emit_unused, with_private_fields};

@@ -1,6 +1,6 @@
 //! The structs of a body: itself, its parameters, its inputs, its reactions.
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::code::{Scalar, Shapes, allow_constants, local_name, private};
@@ -277,34 +277,10 @@ fn emit_default(outline: &Outline) -> Option<TokenStream> {
     })
 }
 
-/// What lets the compiler and editors see the words of the description: its keys, and the names
-/// that nothing refers to, which get the compiler's own warning.
-pub fn emit_checks(outline: &Outline) -> TokenStream {
-    let runtime = &outline.runtime;
-    let body = Ident::new("body", Span::mixed_site());
-    let check = |kind: &str, keys: &[Ident]| {
-        let kind = Ident::new(kind, Span::call_site());
-        let lines = keys
-            .chunks(5)
-            .map(|keys| quote!(let _ = [#(&#body.#keys),*];));
-        quote!(const _: fn(&#runtime::schema::#kind) = |#body| { #(#lines)* };)
-    };
-    let schema = if outline.is_system {
-        [
-            check("System", &outline.keys),
-            check("Body", &outline.body_keys),
-        ]
-        .into_iter()
-        .collect()
-    } else {
-        check("Body", &outline.keys)
-    };
-    let unused = (!outline.unused.is_empty()).then(|| {
-        let names = outline
-            .unused
-            .iter()
-            .map(|name| Ident::new(&local_name(&name.to_string()), name.span()));
-        quote!(const _: fn() = || { #(let #names = ();)* };)
-    });
-    quote!(#schema #unused)
+/// The names that nothing refers to, which get the compiler's own warning.
+pub fn emit_unused(outline: &Outline) -> Option<TokenStream> {
+    let names = outline.unused.iter();
+    let names = names.map(|name| Ident::new(&local_name(&name.to_string()), name.span()));
+    let is_there = !outline.unused.is_empty();
+    is_there.then(|| quote!(const _: fn() = || { #(let #names = ();)* };))
 }

@@ -106,8 +106,6 @@ pub fn outline(
             .filter(|load| !is_unknown(load) && !is_drive(load))
             .count()
             + description.potentials.len(),
-        keys: description.keys.clone(),
-        body_keys: Vec::new(),
         open: Vec::new(),
         unused: Vec::new(),
     }

@@ -16,7 +16,6 @@ use super::joints::joint::{first_name_of, kind_of};
 /// The moving joints are the fields of its state.
 pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
     outline.is_system = true;
-    outline.body_keys.clone_from(&system.keys);
     outline.held.clone_from(&system.held);
     outline.kept = loads_of_constraints(system);
     outline.is_constrained = !outline.kept.is_empty();

@@ -62,9 +62,6 @@ pub struct Outline {
     pub is_constrained: bool,
     /// Number of given loads.
     pub loads: usize,
-    pub keys: Vec<Ident>,
-    /// For a system: those in the braces of its bodies.
-    pub body_keys: Vec<Ident>,
     /// For a system: its open drives, by name, with the number of components.
     pub open: Vec<(Ident, usize)>,
     /// Names that nothing in the description refers to.

@@ -10,4 +10,6 @@ mod parse;
 pub use composition::{Composition, Part};
 pub use entry::{parse_name, parse_value};
 pub use foreign::{Constant, Function};
-pub use parse::{check_length, key_meant, key_value, parse_description, parse_key, parse_keys};
+pub use parse::{
+    check_length, key_meant, key_value, parse_description, parse_key, parse_keys, report_unknown,
+};

@@ -87,6 +87,15 @@ pub fn key_meant(word: &str) -> Option<&'static str> {
         .or_else(|| similar(word, known()))
 }
 
+/// An unknown key, and the one that was probably meant.
+pub fn report_unknown(key: &Ident, meant: Option<&str>, errors: &mut Errors) {
+    let hint = meant.map_or_else(
+        || "; the documentation of the macro lists all keys".to_owned(),
+        |meant| format!("; did you mean `{meant}`?"),
+    );
+    errors.push(key.span(), format!("there is no key `{key}`{hint}"));
+}
+
 /// Reads `key: value`. Returns the key of a list that lacks its brackets.
 pub fn parse_key(
     into: &mut Description,
@@ -110,8 +119,11 @@ pub fn parse_key(
             format!("put everything into one `{word}: [..]`")
         };
         errors.push(key.span(), format!("`{word}` is given twice: {advice}"));
-    } else if !repeated {
-        // rustc reports an unknown key through the schema, and names the similar one
+    }
+    if !exact {
+        report_unknown(key, meant, errors);
+    }
+    if !repeated {
         into.keys.push(key.clone());
     }
     let Some(meant) = meant else {

@@ -42,7 +42,6 @@ impl System {
         };
         let mut body = Description::new(name.clone(), self.top.runtime.clone());
         let copies = self.parse_keys_of_body(&mut body, group, errors);
-        self.keys.extend(body.keys.iter().cloned());
         let first = self.bodies.len();
         match copies {
             None => self.add(body, first, errors),

@@ -15,7 +15,9 @@ use crate::errors::{Errors, similar};
 
 pub use file::{File, file_beside};
 
-use super::entries::{check_length, key_meant, key_value, parse_key, parse_name, parse_value};
+use super::entries::{
+    check_length, key_meant, key_value, parse_key, parse_name, parse_value, report_unknown,
+};
 use super::expression::{Expression, call};
 use super::head::parse_head;
 use super::tokens::{Entry, split, start, without_attributes};
@@ -43,8 +45,6 @@ pub struct System {
     pub points: Vec<Expression>,
     /// For each body, the first one in the same braces.
     pub firsts: Vec<usize>,
-    /// The keys in the braces of bodies.
-    pub keys: Vec<Ident>,
     /// The file of bodies and joints.
     pub file: Option<File>,
     /// Joints of the file that are locked at a coordinate.
@@ -117,7 +117,6 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
         held: None,
         points: Vec::new(),
         firsts: Vec::new(),
-        keys: Vec::new(),
         file: None,
         locked: Vec::new(),
         has_lost_bodies: false,
@@ -176,6 +175,9 @@ impl System {
                 errors.push(key.span(), message);
             } else {
                 self.top.keys.push(key.clone());
+            }
+            if word != *list {
+                report_unknown(key, Some(list), errors);
             }
             self.parse_list(list, example, key, rest, errors);
         } else if word == "drawing" {

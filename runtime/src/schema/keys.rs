@@ -1,6 +1,4 @@
-//! The keys of a description, for editors. [`rigid_body!`](crate::rigid_body) names each written
-//! key as a field of [`Body`], which gives it hover text, completion and rustc's own hint for a
-//! misspelt key.
+//! The keys of a description.
 
 /// The keys of a description, in any order.
 #[derive(Debug)]

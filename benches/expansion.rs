@@ -12,7 +12,7 @@ mod checks;
 mod descriptions;
 #[path = "../macros/src/emit/mod.rs"]
 mod emit;
-#[path = "../macros/src/errors.rs"]
+#[path = "../macros/src/errors/mod.rs"]
 mod errors;
 #[path = "../macros/src/expand.rs"]
 mod expand;

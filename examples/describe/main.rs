@@ -13,7 +13,7 @@
     reason = "the compiler reads more than is printed"
 )]
 
-#[path = "../../macros/src/errors.rs"]
+#[path = "../../macros/src/errors/mod.rs"]
 mod errors;
 #[path = "../../macros/src/families.rs"]
 mod families;

@@ -9,7 +9,7 @@
 mod checks;
 #[path = "../../macros/src/emit/mod.rs"]
 mod emit;
-#[path = "../../macros/src/errors.rs"]
+#[path = "../../macros/src/errors/mod.rs"]
 mod errors;
 #[path = "../../macros/src/expand.rs"]
 mod expand;

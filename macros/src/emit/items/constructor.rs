@@ -100,14 +100,13 @@ impl Constructor {
         });
         let tensor = roots.tensor.filter(|_| outline.scalar.is_none());
         let tensor: Vec<Id> = tensor.into_iter().flatten().collect();
-        let properties = roots.properties.iter();
-        let properties = properties.filter(|property| is_open(&property.value));
-        let properties: Vec<&Property> = properties.collect();
+        let mut properties: Vec<&Property> = roots.properties.iter().collect();
+        properties.retain(|property| is_open(&property.value));
         let made_with = properties.iter().map(|property| property.value).collect();
         let stored = fields.0.iter().map(|(id, _)| *id).collect();
         let possible = checked.values();
-        let all = [possible.clone(), made_with, tensor.clone(), stored];
-        let code = writer.function(&all.concat());
+        let all = [possible.clone(), made_with, tensor.clone(), stored].concat();
+        let code = writer.function(&all);
         let (possible, values) = code.outputs.split_at(possible.len());
         let (made_with, values) = values.split_at(properties.len());
         let (tensor, values) = values.split_at(tensor.len());
@@ -117,17 +116,15 @@ impl Constructor {
         let (rest, text_of_rest) = let_fields(&stored, values, value_text);
         let text = [constants_text(work), code.facts.text, text_of_rest].concat();
         let private = &writer.shapes.private;
-        let (finite, statements) = (finite_checks(outline), code.statements);
+        let statements = code.statements;
         let possible = checked.emit(possible, private);
         let made = check_properties(&properties, made_with, private);
         let derived = check_derived(work, roots, fields, private);
         let axes = (!tensor.is_empty()).then(|| local(PRINCIPAL_AXES));
-        let set_axes = axes
-            .iter()
-            .map(|axes| quote!(let #axes = #private::principal_axes([#(#tensor),*]);));
+        let principal = quote!(#private::principal_axes([#(#tensor),*]));
+        let set_axes = axes.iter().map(|axes| quote!(let #axes = #principal;));
         let own = own_fields(outline);
-        let check_params =
-            (!finite.is_empty()).then(|| quote!(#private::check_finite(&[#(#finite),*])?;));
+        let check_params = check_params(outline, private);
         let body = quote! {
             #check_params
             #statements
@@ -215,8 +212,8 @@ fn check_derived(
     (!checked.is_empty()).then(|| quote!(#private::check_finite(&[#((#words, #checked)),*])?;))
 }
 
-/// `("arm", params.arm)` of every parameter, by component.
-fn finite_checks(outline: &Outline) -> Vec<TokenStream> {
+/// `check_finite(&[("arm", params.arm), ..])?;` of every parameter, by component.
+fn check_params(outline: &Outline, private: &TokenStream) -> Option<TokenStream> {
     let axes = AXES[..outline.motion.axes()].iter();
     let axes = axes.map(|axis| Ident::new(axis, Span::call_site()));
     let parts: Vec<TokenStream> = axes.map(|axis| quote!(.#axis)).collect();
@@ -229,5 +226,6 @@ fn finite_checks(outline: &Outline) -> Vec<TokenStream> {
             .into_iter()
             .map(move |part| quote!((#word, params.#name #part)))
     });
-    checks.collect()
+    let checks: Vec<TokenStream> = checks.collect();
+    (!checks.is_empty()).then(|| quote!(#private::check_finite(&[#(#checks),*])?;))
 }

@@ -50,13 +50,8 @@ pub fn derive_constrained(
     if let Some(axis) = model.state.axis {
         rod::check_loads(model, work, &loads, axis, errors)?;
     }
-    let (free, form) = solve_balances(
-        model,
-        work,
-        &loads,
-        Vec::new(),
-        Some(["free", "free_angular"]),
-    );
+    let names_of_free = Some(["free", "free_angular"]);
+    let (free, form) = solve_balances(model, work, &loads, Vec::new(), names_of_free);
     let mut rows = Vec::new();
     for constraint in &constraints {
         rows.push(constraint_row(work, constraint, &pushes, free));
@@ -66,10 +61,7 @@ pub fn derive_constrained(
     let mut system = equations(work, rows);
     for (equation, constraint) in system.iter_mut().zip(&constraints) {
         equation.active = active(work, &constraint.rates.factors.entries());
-        let sizes = pushes.iter();
-        equation.sizes = sizes
-            .map(|push| size(model, work, constraint, push))
-            .collect();
+        equation.sizes = sizes(model, work, constraint, &pushes);
     }
     let elimination = work.graph.solve(system, pushes.len());
     let left: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
@@ -166,6 +158,18 @@ fn rows_left(
         }
     }
     Some(rows)
+}
+
+fn sizes(
+    model: &Model,
+    work: &mut Workspace,
+    constraint: &Constrained,
+    pushes: &[Push<'_>],
+) -> Vec<Size> {
+    let pushes = pushes.iter();
+    pushes
+        .map(|push| size(model, work, constraint, push))
+        .collect()
 }
 
 /// `A . D` is the product of a gradient and a load in the metric of the kinetic energy. If the load

@@ -34,21 +34,7 @@ pub fn derive_system_flow(
     if !work.graph.are_early(&known.collect::<Vec<_>>()) {
         return errors.report(place, CHANGING);
     }
-    let mut courses: Vec<Option<Course>> = (0..system.joints.len()).map(|_| None).collect();
-    let moving = |number: usize| Moving {
-        system,
-        equations,
-        number,
-    };
-    for number in &system.written {
-        courses[*number] = moving(*number).course(work);
-    }
-    for number in &system.written {
-        if courses[*number].is_none() {
-            let counter = moving(*number).counter(work, &courses);
-            courses[*number] = counter.map(Course::Counter);
-        }
-    }
+    let mut courses = courses(system, work, equations);
     let mut obstacles = Obstacles {
         system,
         equations,
@@ -79,6 +65,31 @@ pub fn derive_system_flow(
     Some(SystemFlow {
         joints: joints.collect::<Option<_>>()?,
     })
+}
+
+/// The motion of each joint, if it has a closed form: first by itself, then together with a pendulum
+/// among the others.
+fn courses(
+    system: &System,
+    work: &mut Workspace,
+    equations: &SystemEquations,
+) -> Vec<Option<Course>> {
+    let mut courses: Vec<Option<Course>> = (0..system.joints.len()).map(|_| None).collect();
+    let moving = |number: usize| Moving {
+        system,
+        equations,
+        number,
+    };
+    for number in &system.written {
+        courses[*number] = moving(*number).course(work);
+    }
+    for number in &system.written {
+        if courses[*number].is_none() {
+            let counter = moving(*number).counter(work, &courses);
+            courses[*number] = counter.map(Course::Counter);
+        }
+    }
+    courses
 }
 
 impl SystemFlow {

@@ -8,7 +8,7 @@ use crate::model::{Checks, Dimension, Frame, Meaning};
 use crate::symbolic::{Components, Stage};
 use crate::syntax::Expression;
 
-use super::joints::joint::{Written, first_name_of};
+use super::joints::joint::{ReadJoint, first_name_of};
 use super::outline::name_of_point;
 use super::reading::reader::Reader;
 
@@ -56,7 +56,7 @@ impl Reader<'_> {
     }
 
     /// Checks that the names after `reactions` are joints that hold something, or are among `kept`.
-    pub fn check_held(&self, joints: &[Option<Written>], kept: &[Ident], errors: &mut Errors) {
+    pub fn check_held(&self, joints: &[Option<ReadJoint>], kept: &[Ident], errors: &mut Errors) {
         let held = self.system.held.iter().flatten();
         let mut seen: Vec<&Ident> = Vec::new();
         for name in held {

@@ -4,7 +4,7 @@ use crate::mechanics::following::unknowns_in;
 use crate::mechanics::tree::Built;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::variation::Direction;
-use crate::model::{Closing, Frame, System, Workspace};
+use crate::model::{Connection, Frame, System, Workspace};
 use crate::symbolic::{Components, Graph, Id};
 
 use super::super::constraints::{Ends, Placed, Row, place_links, rows_of_joint, rows_of_written};
@@ -113,7 +113,7 @@ fn ends<'a>(
     system: &'a System,
     work: &mut Workspace,
     built: &Built,
-    closing: &'a Closing,
+    closing: &'a Connection,
 ) -> Ends<'a> {
     let offset = |work: &mut Workspace, body: Option<usize>, place: Components| match body {
         None => place,

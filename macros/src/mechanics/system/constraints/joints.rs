@@ -2,7 +2,7 @@
 //! rate, its missing acceleration, and its slopes by the rates of the joints.
 
 use crate::mechanics::tree::link::Tree;
-use crate::model::Closing;
+use crate::model::Connection;
 use crate::symbolic::{Components, Function, Graph, Id};
 
 use super::held::{Held, Thread, at_zero, held};
@@ -20,7 +20,7 @@ pub struct JointRow {
 
 /// Both sides of a joint that closes a loop.
 pub struct Ends<'a> {
-    pub closing: &'a Closing,
+    pub closing: &'a Connection,
     /// The links, none for the ground; offsets of the joint from their origins.
     pub links: [Option<usize>; 2],
     pub offsets: [Components; 2],
@@ -93,7 +93,7 @@ struct Measured {
 }
 
 impl Joined<'_> {
-    fn measured(&self, graph: &mut Graph, held: Held, closing: &Closing) -> Measured {
+    fn measured(&self, graph: &mut Graph, held: Held, closing: &Connection) -> Measured {
         let [carrier, _] = self.sides;
         let zeros = graph.zeros();
         match held {
@@ -206,7 +206,7 @@ impl Joined<'_> {
         &self,
         graph: &mut Graph,
         (own, other): (Components, Components),
-        closing: &Closing,
+        closing: &Connection,
     ) -> Measured {
         let [carrier, carried] = self.sides;
         let e = carrier.to_world(graph, own);

@@ -99,10 +99,10 @@ pub trait Subject: Tangent + Sized + 'static {
         errors: &mut Errors,
     ) -> Option<Taylor>;
 
-    /// What a linearization differentiates.
+    /// The expressions that a linearization differentiates.
     fn differentiated(&self, work: &mut Workspace, equations: &Self::Equations) -> Differentiated;
 
-    /// Those of each body, in the order in which the outline has them.
+    /// The regressor of each body, in the order of the outline.
     fn regressors(
         &self,
         outline: &Outline,
@@ -332,7 +332,7 @@ impl Subject for System {
 }
 
 impl System {
-    /// What there is of each body, in the order in which the outline has them.
+    /// One item for each body, in the order of the outline.
     fn as_written<T>(&self, outline: &Outline, all: Vec<T>) -> Vec<T> {
         let mut named: Vec<_> = self.bodies.iter().map(|body| &body.name).zip(all).collect();
         named.sort_by_key(|(name, _)| outline.bodies.iter().position(|body| body == *name));

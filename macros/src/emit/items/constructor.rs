@@ -1,5 +1,5 @@
-//! How a body is built: its parameters are checked, and what depends on them alone is computed and
-//! stored.
+//! The constructor of a body: it checks the parameters, and computes and stores everything that
+//! depends on them alone.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
@@ -12,22 +12,22 @@ use super::possible::Checked;
 
 /// All expressions that code is generated for.
 pub struct Roots {
-    /// Those that have to be finite.
+    /// The expressions that must be finite.
     pub finite: Vec<Id>,
-    /// When the equations change: a switch that is at no time is none.
+    /// The times at which the equations change. One that is not finite is no switch.
     pub switches: Vec<Id>,
-    /// The entries of a tensor of which a body of doubles keeps the principal axes.
+    /// The entries of a tensor whose principal axes a body of doubles stores.
     pub tensor: Option<[Id; 6]>,
-    /// What links and cables are made with.
+    /// The properties of links and cables.
     pub properties: Vec<Property>,
 }
 
-/// What a body is built from and keeps.
+/// The content of `new`, and the fields that a body stores.
 #[derive(Default)]
 pub struct Constructor {
-    /// Fields beside `params`: what depends on the parameters alone.
+    /// Fields next to `params`: expressions that depend on the parameters alone.
     pub stored: Vec<Ident>,
-    /// The field of principal axes, where a closed form needs them.
+    /// The field of principal axes, if a closed form needs them.
     pub axes: Option<Ident>,
     /// Checks and computations of `new`.
     pub body: TokenStream,
@@ -58,13 +58,13 @@ pub fn stored_fields(outline: &Outline, work: &Workspace, roots: &Roots) -> Fiel
     Fields(fields.collect())
 }
 
-/// What is known early of expressions, as it is stored.
+/// The parts of expressions that are known early, as they are stored.
 fn reached(work: &Workspace, roots: &[Id]) -> Vec<Id> {
     let graph = &work.graph;
     graph.reachable(roots, |id| !graph.is_early(id))
 }
 
-/// A constant is called after the parameters that it is computed from.
+/// A constant has the names of the parameters from which it is computed.
 fn field_name(outline: &Outline, work: &Workspace, id: Id) -> String {
     let graph = &work.graph;
     let mut words: Vec<String> = Vec::new();
@@ -81,7 +81,7 @@ fn field_name(outline: &Outline, work: &Workspace, id: Id) -> String {
 }
 
 impl Constructor {
-    /// `new` checks the parameters, and computes and stores what depends on them alone.
+    /// `new` checks the parameters, and computes and stores everything that depends on them alone.
     pub fn write(
         outline: &Outline,
         (bodies, work): (&[Substance], &Workspace),
@@ -153,7 +153,7 @@ impl Constructor {
     }
 }
 
-/// The parameters, or what holds the scalar of a body without them.
+/// The parameters, or the marker of the scalar of a body without any.
 fn own_fields(outline: &Outline) -> TokenStream {
     match (outline.params.is_empty(), &outline.scalar) {
         (false, _) => quote!(params,),
@@ -170,7 +170,7 @@ fn constants_text(work: &Workspace) -> Vec<String> {
         .collect()
 }
 
-/// `let arm = ..;` of each field, but of what is a statement and has its name already; and as text.
+/// `let arm = ..;` for each field that is not yet a statement with its name; and the same as text.
 fn let_fields(
     stored: &[Ident],
     values: &[TokenStream],
@@ -185,7 +185,7 @@ fn let_fields(
     both.unzip()
 }
 
-/// Whether links and cables can be made with what parameters decide of them.
+/// Checks the properties of links and cables that depend on parameters.
 fn check_properties(
     properties: &[&Property],
     values: &[TokenStream],
@@ -198,7 +198,7 @@ fn check_properties(
     checks.collect()
 }
 
-/// Whether what is stored is finite, where it has to be.
+/// Checks that stored values are finite, where they must be.
 fn check_derived(
     work: &Workspace,
     roots: &Roots,

@@ -72,7 +72,7 @@ impl Rotation {
         }
     }
 
-    /// Which motion it is.
+    /// The kind of motion.
     pub fn describe(&self) -> Option<&'static str> {
         Some(match self {
             Self::None => return None,

@@ -1,4 +1,5 @@
-//! What a linearization differentiates: accelerations, or the balances from which they follow.
+//! The expressions that a linearization differentiates: accelerations, or the balances from which
+//! they follow.
 
 use crate::mechanics::system::Response;
 use crate::mechanics::variation::Direction;

@@ -4,7 +4,7 @@
 use proc_macro2::Ident;
 
 use crate::mechanics::answers::{Balance, LoadExpressions, Resultant};
-use crate::mechanics::tree::{self, Moving};
+use crate::mechanics::tree::{self, LinkMotion};
 use crate::mechanics::variation::derive_unit_loads;
 use crate::model::{
     Connection, Frame, Load, Meaning, Member, System, TreeJoint, Vector, Workspace,
@@ -163,7 +163,7 @@ fn taken(
     system: &System,
     work: &mut Workspace,
     body: &Member,
-    moving: &Moving,
+    moving: &LinkMotion,
     number: usize,
 ) -> [Vector; 2] {
     let graph = &mut work.graph;

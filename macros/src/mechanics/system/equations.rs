@@ -5,7 +5,7 @@ use crate::mechanics::Report;
 use crate::mechanics::answers::{Partial, Switch, derive_switches, list_partial, parts};
 use crate::mechanics::following::{takes_inertia, unknowns_in};
 use crate::mechanics::tree::link::{Link, Tree};
-use crate::mechanics::tree::{self, Built, Solved};
+use crate::mechanics::tree::{self, Built, SolvedTree};
 use crate::model::{Own, System, Tie, Workspace};
 use crate::symbolic::Id;
 
@@ -39,7 +39,7 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
         let motion = motion(system, work);
         let coordinates = coordinates(system, work, &built);
         let (accelerations, closed) = close(system, work, &built, (&motion, &coordinates));
-        let found = Solved {
+        let found = SolvedTree {
             accelerations,
             left_out: Vec::new(),
             reduced: built.tree.clone(),

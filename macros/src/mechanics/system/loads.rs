@@ -6,7 +6,7 @@ use proc_macro2::Ident;
 
 use crate::errors::Errors;
 use crate::mechanics::tree::link::Tree;
-use crate::mechanics::tree::{self, Pair};
+use crate::mechanics::tree::{self, SpatialVector};
 use crate::model::{AXES, System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Id, Undetermined};
 
@@ -116,7 +116,7 @@ fn loads(
     equations: &SystemEquations,
     tree: &Tree,
     accelerations: &[Vec<Id>],
-) -> Vec<Pair> {
+) -> Vec<SpatialVector> {
     let by_link = by_link(equations, tree, accelerations);
     tree::joint_loads(&mut work.graph, tree, &by_link)
 }

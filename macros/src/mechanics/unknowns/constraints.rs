@@ -26,7 +26,7 @@ use super::solvability::{OF_REACTIONS, check_across, check_determined};
 use super::unit::{assemble, name_values, named_result, names};
 
 /// The motion under constraints.
-pub struct Solved {
+pub struct ConstrainedMotion {
     pub accelerations: Pair,
     pub form: Option<EulerForm>,
     pub constraints: Vec<Constrained>,
@@ -38,7 +38,7 @@ pub fn derive_constrained(
     model: &Model,
     work: &mut Workspace,
     errors: &mut Errors,
-) -> Option<Solved> {
+) -> Option<ConstrainedMotion> {
     let constraints = differentiate(model, work);
     check_independent(work, &constraints, errors)?;
     let pushes = pushes(model, work);
@@ -82,7 +82,7 @@ pub fn derive_constrained(
         let whole = assemble(work, reaction, solved);
         named_result(work, reaction, whole, Frame::WORLD)
     });
-    Some(Solved {
+    Some(ConstrainedMotion {
         accelerations: Pair { linear, angular },
         form,
         reactions: reactions.collect(),

@@ -19,7 +19,7 @@ use super::leaves::Leaves;
 
 /// The slopes of an expression.
 pub struct Slopes {
-    /// What is not looked into.
+    /// Expressions that count as variables.
     leaves: HashSet<Id>,
     by_leaf: HashMap<Id, Id>,
     by_turned: Vec<(Turn, Components)>,
@@ -130,7 +130,7 @@ impl Slopes {
     }
 }
 
-/// What of the change of a turned vector is due to the turn of the body.
+/// The part of the change of a turned vector that is due to the rotation of the body.
 fn along_turned(work: &mut Workspace, phi: Components, turn: &Turn, slope: Components) -> Id {
     let is_outwards = work.turned_frame(turn) == turn.from;
     let (swept, by) = match (is_outwards, work.attitude(turn.from)) {

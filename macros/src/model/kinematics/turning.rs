@@ -1,4 +1,4 @@
-//! How vectors are turned from one frame to the other.
+//! The rotation of vectors from one frame to another.
 
 use crate::model::words::{AXES, Frame};
 use crate::symbolic::{Components, Function, Graph, Id, Node};

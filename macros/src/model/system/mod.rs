@@ -36,7 +36,7 @@ pub struct System {
     pub properties: Vec<Property>,
     /// User-defined states.
     pub states: Vec<Own>,
-    pub constraints: Kept,
+    pub constraints: Constraints,
     pub potentials: Potentials,
     /// Energies other than those of uniform fields: of cables, and of potentials once these are
     /// loads.
@@ -85,7 +85,7 @@ pub struct Connection {
 
 /// The constraints of the motion of a system.
 #[derive(Default)]
-pub struct Kept {
+pub struct Constraints {
     pub list: Vec<Constraint>,
     /// The symbols of their loads: given loads may depend on these.
     pub loads: Vec<Id>,

@@ -24,7 +24,7 @@ const OFFER: Offer = Offer {
 #[derive(Default)]
 pub struct Linearization {
     found: Option<mechanics::Linearization>,
-    /// Of which joints the coordinates are in world axes.
+    /// Whether the coordinates of each joint are in world axes.
     in_world: Vec<bool>,
 }
 

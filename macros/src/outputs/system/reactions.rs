@@ -21,7 +21,7 @@ const OFFER: Offer = Offer {
     ..Offer::new("reactions")
 };
 
-/// What joints carry.
+/// The loads that joints carry.
 struct Carried {
     /// Force and moment of each joint, by name.
     wrenches: Vec<(Ident, [Components; 2])>,

@@ -32,7 +32,7 @@ const MORE: [usize; 4] = [512, 1024, 2048, 4096];
 /// Operations that are done again, at most.
 const COST: usize = 200;
 
-/// That of a quotient by what may be zero.
+/// The cost of a quotient whose divisor may be zero.
 const UNKNOWN: isize = 1 << 15;
 
 impl Term {
@@ -98,7 +98,7 @@ impl Number {
         Self::settled(near, residue, Term::Value(function, x.clone()))
     }
 
-    /// What a function was applied to.
+    /// The argument of a function.
     pub(in crate::symbolic) fn argument(&self, of: Function) -> Option<&Self> {
         match &self.known()?.term {
             Term::Value(function, argument) if *function == of => Some(argument),

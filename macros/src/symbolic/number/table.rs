@@ -13,7 +13,7 @@ pub struct Table {
 #[derive(Clone)]
 pub struct Piece {
     pub start: Number,
-    /// Of the powers of what is beyond the start.
+    /// The factors of the powers of the distance from the start.
     pub coefficients: Vec<Number>,
 }
 
@@ -174,7 +174,7 @@ fn slope_at(lines: &[(Number, Number)], knot: usize) -> Option<Number> {
     Some(beside.into_iter().fold(slope, limited))
 }
 
-/// Of the parabola through the three knots at an end.
+/// The slope of the parabola through the three knots at an end.
 fn slope_at_end((h, d): &(Number, Number), next: Option<&(Number, Number)>) -> Option<Number> {
     let Some((k, e)) = next else {
         return Some(d.clone());
@@ -183,7 +183,7 @@ fn slope_at_end((h, d): &(Number, Number), next: Option<&(Number, Number)>) -> O
     Some(d.clone() + change.checked_div(&(h.clone() + k.clone()))?)
 }
 
-/// Of the sign of a line, and at most three times as steep.
+/// A slope with the sign of that of a line, and at most three times as steep.
 fn limited(slope: Number, line: &Number) -> Number {
     let most = Number::integer(3) * line.clone();
     let is_against = slope.is_negative() != line.is_negative();

@@ -15,7 +15,7 @@ use crate::errors::{Errors, hint};
 use super::expression::{Expression, Kind};
 use super::{Declaration, Definition, Description, Load};
 
-/// What is written beside a file, as far as it matters to it.
+/// The parts of the description next to a file that affect its content.
 #[derive(Clone, Copy)]
 pub struct Beside<'a> {
     pub runtime: &'a TokenStream,
@@ -27,7 +27,7 @@ pub struct Beside<'a> {
     pub fields: &'a [Load],
 }
 
-/// What a file describes.
+/// The content of a file, as parts of a description.
 #[derive(Default)]
 pub struct Described {
     pub bodies: Vec<Description>,
@@ -40,12 +40,12 @@ pub struct Described {
     pub told: Told,
 }
 
-/// What is told of a file.
+/// The documentation of a file.
 #[derive(Default)]
 pub struct Told {
-    /// What is read otherwise than it stands there.
+    /// Content that is read differently from its text.
     pub read_as: Vec<String>,
-    /// What is not used.
+    /// Content that is not used.
     pub skipped: Vec<String>,
 }
 

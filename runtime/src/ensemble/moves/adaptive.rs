@@ -1,5 +1,5 @@
-//! Variable steps in lanes, as long as the tolerance permits. A register holds several members, each
-//! with its own steps; when one is done, the next takes its place.
+//! Variable steps in lanes, as long as the tolerance permits. A register holds several members,
+//! each with its own steps; when one is done, the next takes its place.
 
 use alloc::vec::Vec;
 use core::ops::Range;

@@ -11,7 +11,7 @@ use crate::lower::system::reading::body::Draft;
 use crate::lower::system::reading::reader::{Reader, still};
 
 /// The motion of a body in the making: the place of its joint, and its motion.
-struct Moving {
+struct MotionInMaking {
     frame: Frame,
     position: Vector,
     velocity: Vector,
@@ -62,7 +62,7 @@ impl Reader<'_> {
         let carrier = written
             .carrier
             .and_then(|carrier| drafts[carrier].state.as_ref());
-        let mut moving = Moving::at_joint(work, carrier, written.place);
+        let mut moving = MotionInMaking::at_joint(work, carrier, written.place);
         if self.follows_accelerations {
             moving.accelerations = Some(accelerations_at(work, carrier, written.place));
         }
@@ -141,7 +141,7 @@ fn thrown(
     graph.add_vectors(driven, drawn)
 }
 
-impl Moving {
+impl MotionInMaking {
     /// The place of a joint on the ground, or on a body with this motion.
     fn at_joint(work: &mut Workspace, carrier: Option<&State>, place: Components) -> Self {
         let Some(state) = carrier else {

@@ -91,7 +91,7 @@ fn one_by_one(ways: &[Way<Residue>], single: &[Way<Residue>]) -> Vec<String> {
     said
 }
 
-/// Those by other kinds of joints, and by links that are left out.
+/// The releases by other kinds of joints, and by links that are left out.
 fn ways(graph: &mut Graph, system: &System, unsettled: &Unsettled) -> Vec<Way<Id>> {
     let spare = &unsettled.spare;
     let mut ways = Vec::new();
@@ -118,7 +118,7 @@ fn ways(graph: &mut Graph, system: &System, unsettled: &Unsettled) -> Vec<Way<Id
     ways
 }
 
-/// Those by joints that close loops and are left out.
+/// The releases by joints that close loops and are left out.
 fn without_joints(system: &System, unsettled: &Unsettled) -> Vec<Way<Id>> {
     let closings = system.closings.iter().enumerate();
     let ways = closings.map(|(number, closing)| {

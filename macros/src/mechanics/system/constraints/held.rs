@@ -1,10 +1,10 @@
-//! What a joint that closes a loop holds, direction by direction.
+//! The directions that a joint that closes a loop holds, one by one.
 
 use crate::mechanics::tree::turning::Turning;
 use crate::model::{Connection, Part};
 use crate::symbolic::{Components, Function, Graph, Id};
 
-/// What is held: one constraint.
+/// One held direction, which is one constraint.
 #[derive(Clone, Copy)]
 pub enum Held {
     /// The point of the carried body, along a direction of the world.
@@ -17,7 +17,7 @@ pub enum Held {
     Thread(Thread),
 }
 
-/// Of a screw.
+/// The thread of a screw.
 #[derive(Clone, Copy)]
 pub struct Thread {
     pub axis: Components,

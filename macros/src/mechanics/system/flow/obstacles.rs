@@ -3,7 +3,7 @@
 use crate::mechanics::answers::parts;
 use crate::mechanics::closed_forms::dependence;
 use crate::mechanics::proofs::all_vanish;
-use crate::mechanics::tree::{Pair, along_freedoms, wrench};
+use crate::mechanics::tree::{SpatialVector, along_freedoms, wrench};
 use crate::model::{System, TreeJoint, Variable, Workspace};
 use crate::symbolic::Id;
 
@@ -18,10 +18,10 @@ pub struct Obstacles<'a> {
     pub failing: Vec<usize>,
 }
 
-/// Under constraints.
+/// The obstacle for a system under constraints.
 pub const CLOSED: &str = "where loops are closed or constraints are written there is no closed form in this version: leave \
                           out `flow`, and the motion is integrated";
-/// What paths do not support.
+/// The obstacle for a system whose mass or inertia changes.
 pub const CHANGING: &str =
     "no closed form: mass and inertia change; leave out `flow`, and the motion is integrated";
 
@@ -123,7 +123,7 @@ impl Obstacles<'_> {
             }
             for load in &body.loads {
                 let (linear, angular) = wrench(self.work, body, [load], joint.pin);
-                let load_here = Pair { angular, linear };
+                let load_here = SpatialVector { angular, linear };
                 let graph = &mut self.work.graph;
                 let along = along_freedoms(graph, &built.tree, built.body(number), load_here);
                 if !all_vanish(self.work, &along) {

@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use crate::errors::{Errors, Extent};
 use crate::model::{Shape, System, Workspace};
 
-use super::course::{Course, Moving};
+use super::course::{Course, SolvedJoint};
 use super::obstacles::{CHANGING, CLOSED, Obstacles};
 use crate::mechanics::system::equations::SystemEquations;
 
@@ -67,15 +67,15 @@ pub fn derive_system_flow(
     })
 }
 
-/// The motion of each joint, if it has a closed form: first by itself, then together with a pendulum
-/// among the others.
+/// The motion of each joint, if it has a closed form: first by itself, then together with a
+/// pendulum among the others.
 fn courses(
     system: &System,
     work: &mut Workspace,
     equations: &SystemEquations,
 ) -> Vec<Option<Course>> {
     let mut courses: Vec<Option<Course>> = (0..system.joints.len()).map(|_| None).collect();
-    let moving = |number: usize| Moving {
+    let moving = |number: usize| SolvedJoint {
         system,
         equations,
         number,

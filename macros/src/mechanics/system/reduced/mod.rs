@@ -23,7 +23,7 @@ mod loads;
 mod motion;
 mod together;
 
-pub use balances::{Balance, Held};
+pub use balances::{Balance, LinearRow};
 pub use loads::loads;
 pub use motion::{Reduced, reduce};
-pub use together::{Kept, together};
+pub use together::{LoadedRow, together};

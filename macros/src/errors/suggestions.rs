@@ -1,4 +1,4 @@
-//! What a word was probably meant to be: a similar one, or one for the same thing in other tools.
+//! Suggestions for unknown words: a similar word, or the word for the same thing in other tools.
 
 /// The one of `known` that `name` was probably meant to be.
 pub fn similar<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {

@@ -83,7 +83,7 @@ pub trait Subject: Tangent + Sized + 'static {
         outline: &Outline,
     ) -> Vec<Balance>;
 
-    /// The constraints that the motion keeps, and how far rounding reaches in each.
+    /// The constraints of the motion, and the bound of rounding in each.
     fn constraints(
         &self,
         work: &mut Workspace,

@@ -1,11 +1,11 @@
-//! A gyrostat: a body with rotors, symmetric about an axis e, of which all rotors turn.
+//! A gyrostat: a body with rotors, symmetric about the axis e of all rotors.
 //!
 //! ```text
 //! w' = n w x e + r' e        r = w . e; n' and r' constant
 //! ```
 //!
-//! With A the moment of inertia across the axis and h the angular momentum along it, rotors and
-//! all, `n = r - h/A`. All of it is read off the acceleration.
+//! With A the moment of inertia across the axis, and h the angular momentum along it including that
+//! of the rotors, `n = r - h/A`. All of these follow from the acceleration.
 
 use crate::mechanics::proofs::all_vanish;
 use crate::model::Workspace;

@@ -84,7 +84,7 @@ struct Search<'a, C> {
 }
 
 impl<C: Fn(&mut Graph, &Tree) -> u32> Search<'_, C> {
-    /// Changes one link after another, or several equal ones, as long as that helps, and until
+    /// Changes one link after another, or several equal ones, while that helps, and until
     /// this many operations are tried.
     fn descend(&mut self, graph: &mut Graph, alike: &[Vec<usize>], most: u32) {
         loop {

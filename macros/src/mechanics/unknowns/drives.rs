@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! sum of u_j w_j + b = 0      w_j: force and moment of one unit of the unknown j;
-//!                             b: what is left without them
+//!                             b: the remainder without them
 //! ```
 //!
 //! If there are as many balances as unknowns, along axes in which no other unknown appears, they

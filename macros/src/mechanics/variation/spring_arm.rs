@@ -39,7 +39,7 @@ fn across(graph: &mut Graph, r: Components, slope: Components) -> Components {
     if is_less { sum } else { slope }
 }
 
-/// The terms that are not linear in r, and then those that are, but for a factor, gathered by it.
+/// The terms that are not linear in r, and then those that are, up to a factor, collected by it.
 fn by_factor(
     graph: &mut Graph,
     r: Components,

@@ -19,7 +19,7 @@ pub struct Turn {
     pub turned: Components,
 }
 
-/// The vectors that were turned so far, each after those it is made of.
+/// The vectors that were turned so far, each after those that it contains.
 pub struct Turns {
     pub list: Vec<Turn>,
     known: HashMap<(Components, Frame, Frame), usize>,

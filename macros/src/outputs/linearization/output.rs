@@ -1,5 +1,4 @@
-//! `linearization`: what the rates of a state change by with state and input, to first order, in
-//! blocks.
+//! `linearization`: the derivatives of the rates of a state by state and input, in blocks.
 
 use proc_macro2::Ident;
 

@@ -25,7 +25,7 @@ impl Residue {
         Self { real, imaginary: 0 }
     }
 
-    /// A random residue, different for what is different.
+    /// A random residue, different for different arguments.
     pub fn stand_in(of: &impl Hash) -> Self {
         let half = |salt: u8| {
             let mut hasher = DefaultHasher::new();
@@ -110,7 +110,7 @@ impl Residue {
     }
 }
 
-/// Squared so many times.
+/// The number, squared this many times.
 fn squared(a: u128, count: u32) -> u128 {
     (0..count).fold(a, |power, _| times(power, power))
 }

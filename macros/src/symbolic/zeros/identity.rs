@@ -213,7 +213,7 @@ impl Algebra for Residues<'_> {
     }
 }
 
-/// A choice, by what it depends on; equal values choose alike.
+/// A choice, identified by the values that it depends on: equal values choose alike.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(in crate::symbolic) enum Side {
     /// The sign of the root of this.

@@ -1,8 +1,8 @@
 //! `mjcf: "model.xml"`: bodies, joints, motors and gravity from a file (the format of `MuJoCo`).
 //!
-//! The content of the file becomes what a user could have written: a body composed of parts for
-//! each body with mass, a frame for each one without and between the joints of one body, and a
-//! definition of each joint. All numbers keep their digits.
+//! The content of the file becomes a description that a user could have written: a body composed of
+//! parts for each body with mass, a frame for each one without and between the joints of one body,
+//! and a definition of each joint. All numbers keep their digits.
 
 mod actuator;
 mod body;

@@ -1,4 +1,4 @@
-//! Numbers of a file: decimal text, which stays what it is, and right angles.
+//! Numbers of a file: decimal text, which stays unchanged, and right angles.
 
 use core::f64::consts::FRAC_PI_2;
 

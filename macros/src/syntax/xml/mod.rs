@@ -1,5 +1,5 @@
-//! What formats of files have in common: the elements of XML, their numbers and names, and what a
-//! file becomes.
+//! The common parts of file formats: the elements of XML, their numbers and names, and the
+//! resulting description.
 
 pub mod decimal;
 pub mod names;
@@ -79,7 +79,7 @@ impl Beside<'_> {
         Some(found.value.clone().unwrap_or_else(lost))
     }
 
-    /// Reports what is locked and no joint, or locked twice.
+    /// Reports locked names that are no joints, or are locked twice.
     pub fn check_all_locked(self, known: &[String], is_lost: bool, errors: &mut Errors) {
         let mut seen: Vec<&Ident> = Vec::new();
         for name in self.locked.iter().map(|locked| &locked.name) {

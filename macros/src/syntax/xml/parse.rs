@@ -1,8 +1,8 @@
-//! The elements of a text, or what is wrong with it.
+//! The elements of a text, or its first error.
 
 use roxmltree::{Document, Error};
 
-/// The elements of a text, or what is wrong with it: a line and a message.
+/// The elements of a text, or its first error: a line and a message.
 pub fn parse(text: &str) -> Result<Document<'_>, (usize, String)> {
     Document::parse(text).map_err(|error| {
         // the place is said in front

@@ -1,4 +1,4 @@
-//! Elements and attributes of a file, with what is wrong with them.
+//! Elements and attributes of a file, and their errors.
 
 use proc_macro2::{Ident, Span};
 use roxmltree::Node;
@@ -66,7 +66,7 @@ impl<'e> Reader<'e> {
         self.errors.report(place, message)
     }
 
-    /// Reports a name of nothing, unless what is reported already may have it.
+    /// Reports an unknown name, unless an element that was already reported may have it.
     pub fn no_such<'n, T>(
         &mut self,
         node: Node<'_, '_>,
@@ -80,8 +80,8 @@ impl<'e> Reader<'e> {
         self.report(node, format!("there is no {what} `{name}`{hint}"))
     }
 
-    /// The elements in `node`: of each word of `known` all; what is none of them is skipped, and
-    /// said to be, or taken for a misspelt one.
+    /// All elements in `node` with a word of `known`. Any other is reported as misspelt, or is
+    /// skipped and listed.
     pub fn children<'n, 'd>(
         &mut self,
         node: Node<'n, 'd>,

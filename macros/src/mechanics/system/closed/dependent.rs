@@ -36,7 +36,7 @@ impl Group {
     }
 }
 
-/// Groups of rows, of which these are independent of those before them.
+/// Groups of rows. `independent` marks the rows that are independent of those before them.
 pub fn groups(graph: &Graph, kept: &[(Keeper, ConstraintRow)], independent: &[bool]) -> Vec<Group> {
     let mut groups: Vec<(Option<(usize, bool)>, Group)> = Vec::new();
     for (number, ((keeper, _), is_new)) in kept.iter().zip(independent).enumerate() {

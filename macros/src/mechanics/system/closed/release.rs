@@ -184,7 +184,7 @@ fn rows(
     }
 }
 
-/// Each component of what each joint carries, those that close loops first.
+/// Each component of the load of each joint, those that close loops first.
 fn components(graph: &Graph, system: &System, spare: &[Spare]) -> Vec<Way<Id>> {
     let mut ways = Vec::new();
     for (holder, joint) in holders(system)
@@ -284,7 +284,7 @@ fn search(
 struct Span(Vec<(usize, Vec<Residue>)>);
 
 impl Span {
-    /// With what a way releases; none if that is not all independent.
+    /// The span with the rows that a way releases; none if these are not all independent.
     fn with(&self, way: &Way<Residue>) -> Option<Self> {
         let mut larger = self.clone();
         let count = way.rows.iter().filter(|row| larger.take(row)).count();

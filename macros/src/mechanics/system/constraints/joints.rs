@@ -200,8 +200,8 @@ impl Joined<'_> {
         [graph.multiply(twice, tangent), rate, bias]
     }
 
-    /// The angle between a direction of the carrier and one of the carried body, from what it is at
-    /// zero; a moment along their normal keeps it.
+    /// The angle between a direction of the carrier and one of the carried body, minus its value at
+    /// zero coordinates; a moment along their normal keeps it.
     fn between(
         &self,
         graph: &mut Graph,

@@ -91,7 +91,7 @@ impl Obstacles<'_> {
         })
     }
 
-    /// Whether a joint turns without a change of what carries it.
+    /// Whether the rotation of a joint does not affect its carrier.
     fn is_rotor(&self, root: usize, joint: &TreeJoint) -> bool {
         let (graph, found) = (&self.work.graph, &self.equations.accelerations[root]);
         let angle = joint.coordinates.get(Variable::Angle, 0);
@@ -112,8 +112,8 @@ impl Obstacles<'_> {
         })
     }
 
-    /// The loads with a part along a coordinate of what a joint to the ground carries, and the
-    /// drives there.
+    /// The loads along coordinates of the bodies that a joint to the ground carries, and the drives
+    /// there.
     fn acting(&mut self, root: usize) -> Vec<(String, Vec<Id>)> {
         let (mut acting, mut driving) = (Vec::new(), Vec::new());
         let (system, built) = (self.system, &self.equations.built);

@@ -60,14 +60,14 @@ pub fn of_hinge(
 
 /// The sum over the links of a loop.
 struct Sum {
-    /// By absolute coordinate, with the squares of what they are made of.
+    /// By absolute coordinate, with the squares of their terms.
     columns: Vec<Components>,
     sizes: Vec<Id>,
     right: Components,
 }
 
 impl Sum {
-    /// Adds what a coordinate does: a vector, of this length.
+    /// Adds the effect of a coordinate: a vector, of this length.
     fn by(&mut self, graph: &mut Graph, own: usize, (column, length): (Components, Components)) {
         self.columns[own] = graph.add_vectors(self.columns[own], column);
         let square = graph.norm_squared(length);

@@ -146,8 +146,8 @@ impl<'w> Balances<'w> {
     }
 
     /// One over a determinant `d / (d d)`. Slopes along ways are sums that may vanish in closed
-    /// states, and do not tell how large they could be: it is compared, as the inertia along ways
-    /// is, with what is known of the squares of slopes.
+    /// states, so their values do not bound their terms. Like the inertia along ways, it is
+    /// compared with the bounds of the squares of slopes.
     fn inverse_by_squares(&mut self, determinant: Id, known: &Chosen) -> Id {
         let bounds = self.bounds(known);
         let graph = &mut self.work.graph;

@@ -14,7 +14,8 @@ use crate::mechanics::{
     with_potentials, with_system_potentials,
 };
 use crate::model::{
-    Checks, Defaults, Frame, Load, Model, Outline, Own, Property, Substance, System, Workspace,
+    Checks, Defaults, Frame, Load, Member, Model, Outline, Own, Property, Substance, System,
+    Workspace,
 };
 use crate::symbolic::Id;
 
@@ -241,12 +242,7 @@ impl Subject for System {
     }
 
     fn substances(&self) -> Vec<Substance> {
-        let bodies = self.bodies.iter().map(|body| Substance {
-            name: Some(body.name.to_string()),
-            mass: Some(body.mass),
-            inertia: body.inertia,
-        });
-        bodies.collect()
+        self.bodies.iter().map(Member::substance).collect()
     }
 
     fn properties(&self) -> &[Property] {

@@ -97,11 +97,7 @@ fn check_substances<'b>(
     outline: &Outline,
     errors: &mut Errors,
 ) {
-    let made_of = bodies.flat_map(|body| {
-        let entries = body.inertia.distinct_entries();
-        entries.into_iter().chain([body.mass])
-    });
-    let made_of: Vec<Id> = made_of.collect();
+    let made_of: Vec<Id> = bodies.flat_map(|body| body.substance().numbers()).collect();
     check_changing(work, &made_of, outline, errors);
 }
 

@@ -3,6 +3,7 @@
 
 use proc_macro2::Ident;
 
+use crate::families::LoadKind;
 use crate::mechanics::answers::{Balance, LoadExpressions, Resultant};
 use crate::mechanics::tree::{self, LinkMotion};
 use crate::mechanics::variation::derive_unit_loads;
@@ -115,17 +116,12 @@ fn joint_loads<'a>(
     work: &mut Workspace,
     holding: &[Ident],
 ) -> Vec<(&'a Connection, [Vector; 2])> {
-    let joints = system.joints.iter().map(|joint| &joint.connection);
-    let loads = joints.chain(&system.closings).filter_map(|joint| {
+    let loads = system.connections().filter_map(|joint| {
         let place = holding.iter().position(|name| *name == joint.name)?;
-        let load = [0, 1].map(|part| {
-            let axes = match (part, system.is_planar) {
-                (0, true) => 0..2,
-                (_, true) => 2..3,
-                (_, false) => 0..3,
-            };
+        let kinds = [(0, LoadKind::Force), (1, LoadKind::Moment)];
+        let load = kinds.map(|(part, kind)| {
             let mut components = work.graph.zeros();
-            for axis in axes {
+            for axis in kind.axes(system.is_planar) {
                 let meaning = Meaning::Reaction(2 * place + part, axis);
                 components[axis] = work.symbol(Stage::State, meaning);
             }

@@ -1,5 +1,6 @@
 //! From the bodies and joints of a system to the links of a tree.
 
+use crate::families::LoadKind;
 use crate::mechanics::balances::{moments_about, resultant};
 use crate::model::{Load, Member, Part, Point, Rates, System, TreeJoint, Variable, Workspace};
 use crate::symbolic::{Components, Function, Id};
@@ -196,8 +197,7 @@ impl Making<'_> {
                 self.freedom(twist, get(Variable::Velocity, axis), first + axis)
             })
             .collect();
-        let axes = if is_planar { 2..3 } else { 0..3 };
-        for (part, axis) in axes.enumerate() {
+        for (part, axis) in LoadKind::Moment.axes(is_planar).enumerate() {
             let twist = SpatialVector::about(&self.work.graph, units[axis]);
             let rate = get(Variable::AngularVelocity, part);
             freedoms.push(self.freedom(twist, rate, first + linear + part));

@@ -10,7 +10,7 @@ use proc_macro2::Ident;
 
 use crate::symbolic::{Components, Id};
 
-use super::body::{Constraint, Defaults, Form, Inertia, Load, Potentials};
+use super::body::{Constraint, Defaults, Form, Inertia, Load, Potentials, Substance};
 use super::joints::Rates;
 use super::kinematics::{Own, State};
 use super::words::{Checks, Frame, Variable};
@@ -59,6 +59,16 @@ pub struct Member {
     pub loads: Vec<Load>,
     /// The fields that constitute gravity.
     pub weights: Vec<Load>,
+}
+
+impl Member {
+    pub fn substance(&self) -> Substance {
+        Substance {
+            name: Some(self.name.to_string()),
+            mass: Some(self.mass),
+            inertia: self.inertia,
+        }
+    }
 }
 
 /// A joint as it connects two bodies, or a body and the ground: its two sides, and its directions.
@@ -171,6 +181,12 @@ impl TreeJoint {
 }
 
 impl System {
+    /// All joints: first those of its tree, then those that close loops.
+    pub fn connections(&self) -> impl Iterator<Item = &Connection> {
+        let tree = self.joints.iter().map(|joint| &joint.connection);
+        tree.chain(&self.closings)
+    }
+
     /// Only the joints of its tree hold it.
     pub fn is_tree(&self) -> bool {
         self.closings.is_empty() && self.constraints.list.is_empty()

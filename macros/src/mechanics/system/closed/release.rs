@@ -4,8 +4,10 @@
 //! A released direction carries nothing. If the parts along it of the self-balancing loads are
 //! independent, and as many as these loads, none of them remains; and the motion is unchanged.
 
+use std::iter;
+
 use crate::mechanics::proofs::samples;
-use crate::model::{AXES, System, Workspace};
+use crate::model::{AXES, System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Graph, Id, Residue};
 
 use super::unsettled::{Spare, Unsettled};
@@ -147,17 +149,14 @@ struct Holder {
 
 /// The joints of the tree, and then those that close loops.
 fn holders(system: &System) -> impl Iterator<Item = Holder> {
-    let tree = system.joints.iter().map(|joint| Holder {
+    let driven = system.joints.iter().map(TreeJoint::is_driven);
+    let driven = driven.chain(iter::repeat(false));
+    let joints = system.connections().zip(driven);
+    joints.map(|(joint, is_driven)| Holder {
         name: joint.name.to_string(),
         kind: joint.kind.word,
-        is_driven: joint.is_driven(),
-    });
-    let closings = system.closings.iter().map(|joint| Holder {
-        name: joint.name.to_string(),
-        kind: joint.kind.word,
-        is_driven: false,
-    });
-    tree.chain(closings)
+        is_driven,
+    })
 }
 
 /// The parts of all spare loads that a joint releases.

@@ -219,15 +219,9 @@ fn loads_of(
 
 /// The first axis of each joint that has one, world axes.
 fn axes(system: &System, work: &mut Workspace, known: &Known<'_>) -> Vec<Option<Components>> {
-    let tree = system
-        .joints
-        .iter()
-        .map(|joint| (joint.carried, &joint.directions));
-    let closings = system.closings.iter();
-    let closings = closings.map(|joint| (joint.carried, &joint.directions));
-    let axes = tree.chain(closings).map(|(body, directions)| {
-        let axis = directions.first()?;
-        let placed = &known.placed[known.built.body(body)];
+    let axes = system.connections().map(|joint| {
+        let axis = joint.directions.first()?;
+        let placed = &known.placed[known.built.body(joint.carried)];
         Some(placed.to_world(&mut work.graph, *axis))
     });
     axes.collect()

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, Extent};
-use crate::model::{Shape, System, Workspace};
+use crate::model::{Member, Shape, System, Workspace};
 
 use super::course::{Course, SolvedJoint};
 use super::obstacles::{CHANGING, CLOSED, Obstacles};
@@ -26,11 +26,8 @@ pub fn derive_system_flow(
     if !system.is_tree() {
         return errors.report(place, CLOSED);
     }
-    let substances = system.bodies.iter();
-    let known = substances.flat_map(|body| {
-        let entries = body.inertia.distinct_entries();
-        entries.into_iter().chain([body.mass])
-    });
+    let substances = system.bodies.iter().map(Member::substance);
+    let known = substances.flat_map(|substance| substance.numbers());
     if !work.graph.are_early(&known.collect::<Vec<_>>()) {
         return errors.report(place, CHANGING);
     }

@@ -3,8 +3,8 @@
 use serde_json::Value;
 
 use mounted::mechanics::tree::link::{Freedom, Link, Tree};
-use mounted::mechanics::tree::pair::Pair;
 use mounted::mechanics::tree::properties::Properties;
+use mounted::mechanics::tree::spatial_vector::SpatialVector;
 use mounted::mechanics::tree::turning::Turning;
 use mounted::mechanics::tree::{derive_tree, lacking};
 use mounted::model::Labels;
@@ -130,27 +130,27 @@ impl Reference {
             "Spherical" | "FreeFlyer" => {
                 if kind == "FreeFlyer" {
                     let _: Vec<f64> = q.take(3).collect();
-                    twists.extend(units.map(|unit| Pair::along(&self.graph, unit)));
+                    twists.extend(units.map(|unit| SpatialVector::along(&self.graph, unit)));
                 }
                 let parts: Vec<f64> = q.take(4).collect();
                 let ids: Vec<Id> = parts.iter().map(|part| self.symbol(*part)).collect();
                 turning = Turning::quaternion(&mut self.graph, ids[3], [ids[0], ids[1], ids[2]]);
                 self.attitude = parts;
-                twists.extend(units.map(|unit| Pair::about(&self.graph, unit)));
+                twists.extend(units.map(|unit| SpatialVector::about(&self.graph, unit)));
             }
             _ if kind.starts_with('R') => {
                 let axis = axis(kind.chars().nth(1));
                 let angle = self.symbol(q.next().unwrap());
                 turning = Turning::by_angle(&mut self.graph, axis, angle);
                 hinge = Some(angle);
-                twists.push(Pair::about(&self.graph, units[axis]));
+                twists.push(SpatialVector::about(&self.graph, units[axis]));
             }
             _ => {
                 let axis = axis(kind.chars().nth(1));
                 let position = self.symbol(q.next().unwrap());
                 let slid = self.graph.scale_vector(position, units[axis]);
                 place = self.graph.add_vectors(place, slid);
-                twists.push(Pair::along(&self.graph, units[axis]));
+                twists.push(SpatialVector::along(&self.graph, units[axis]));
             }
         }
         for twist in twists {

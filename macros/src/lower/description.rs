@@ -57,7 +57,7 @@ pub fn lower_description(
     let model = Model {
         derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
         states: states?,
-        is_differentiated: outline.rank(LINEARIZATION).is_some(),
+        is_differentiated: outline.asks_for(&[LINEARIZATION]),
         has_idle_inertia: description.inertia.is_some() && !motion.has_attitude(),
         potentials: potentials?,
         reactions: every(reactions)?,

@@ -1,4 +1,4 @@
-//! The physics: from a model to the equations of motion and what else is asked for.
+//! The physics: from a model to the equations of motion, and to the expressions of outputs.
 //!
 //! Conventions: position, velocity and linear acceleration of G in world axes;
 //! angular velocity and acceleration in body axes; moments about G unless a pole is named.
@@ -52,15 +52,15 @@ use crate::errors::Errors;
 use crate::model::{Frame, Meaning, Model, Pair, Variable, Workspace};
 use crate::symbolic::{Components, Id};
 
-/// The equations of motion, and what is known of them.
+/// The equations of motion, and their properties.
 pub struct Equations {
-    /// That of the axis of a rod is in the place of the angular one.
+    /// For a rod, the acceleration of its axis takes the place of the angular one.
     pub accelerations: Pair,
-    /// How Euler's equations are written, if they are solved in space.
+    /// The form of Euler's equations, if they are solved in space.
     form: Option<EulerForm>,
-    /// The unknown loads that go with them, world axes.
+    /// The unknown loads of the constraints, world axes.
     pub reactions: Vec<Components>,
-    /// How far a state is from each constraint.
+    /// The distance of a state from each constraint.
     pub constraints: Vec<Consistency>,
     /// When the equations change by a condition on time.
     pub switches: Vec<Switch>,
@@ -69,16 +69,16 @@ pub struct Equations {
     structure: OnceCell<Structure>,
 }
 
-/// What is told of a body, line by line.
+/// The documentation of a body, line by line.
 pub struct Report {
-    /// What it is like, under headings; nothing under some of them.
+    /// Its properties, under headings; some of these may be empty.
     pub lists: Vec<(&'static str, Vec<String>)>,
-    /// What is not computed, and why.
+    /// The terms that are not computed, and the reasons.
     pub skipped: Vec<String>,
 }
 
-/// Derives the equations of motion. Loads that follow accelerations become functions of the state
-/// in the model that comes back.
+/// Derives the equations of motion. In the returned model, loads that depend on accelerations are
+/// functions of the state.
 pub fn derive_equations(
     model: Model,
     work: &mut Workspace,
@@ -124,7 +124,7 @@ pub fn derive_equations(
 }
 
 impl Equations {
-    /// The symbols of accelerations and reactions, and what is found for them.
+    /// The symbols of accelerations and reactions, and their solutions.
     pub fn solved(&self, model: &Model, work: &Workspace) -> Vec<(Id, Id)> {
         let Pair { linear, angular } = self.accelerations;
         let turning = if model.motion.is_line() {
@@ -148,14 +148,14 @@ impl Equations {
         accelerations.chain(reactions).collect()
     }
 
-    /// What integrators can make use of; looked for once.
+    /// Properties that integrators can use; derived once.
     pub fn structure(&self, model: &Model, work: &mut Workspace) -> &Structure {
         let derive = || derive_structure(model, work, self.accelerations);
         self.structure.get_or_init(derive)
     }
 }
 
-/// What the equations are like, and what does not appear in them.
+/// The properties of the equations, and the terms that do not appear in them.
 pub fn describe_equations(model: &Model, work: &mut Workspace, equations: &Equations) -> Report {
     let structure = equations.structure(model, work);
     let (accelerations, form) = (equations.accelerations, equations.form);

@@ -1,4 +1,4 @@
-//! Structs with a field for each joint or body of a system, and what there is of each body.
+//! Structs with a field for each joint or body of a system.
 
 use std::collections::HashSet;
 
@@ -8,7 +8,7 @@ use crate::emit::code::{Site, Values};
 use crate::emit::items::{Addition, Field, Record};
 use crate::model::Outline;
 
-/// What joints carry, by name.
+/// The loads that joints carry, by name.
 pub fn reactions_by_name(site: &Site<'_>) -> Record {
     let (shapes, outline) = (&site.shapes, site.outline);
     let (wrench, scalar) = (shapes.wrench_type(), shapes.scalar.kind());
@@ -31,18 +31,19 @@ pub fn reactions_by_name(site: &Site<'_>) -> Record {
     }
 }
 
-/// The joints whose reactions are asked for.
+/// The joints whose reactions are requested.
 pub fn held(outline: &Outline) -> impl Iterator<Item = &Ident> {
     outline.holding.iter().filter(|name| outline.is_held(name))
 }
 
-/// The drives of joints whose reactions are asked for.
+/// The drives of joints whose reactions are requested.
 pub fn driving_of(outline: &Outline) -> impl Iterator<Item = &(Ident, Ident)> {
     let all = outline.driving.iter();
     all.filter(|(joint, _)| outline.is_held(joint))
 }
 
-/// What there is of each body: of a system by name, of a body alone that itself.
+/// One item for each body: a struct with a field for each body of a system, or the item itself for
+/// a single body.
 pub enum PerBody {
     Alone(TokenStream),
     Each(Record),
@@ -78,7 +79,7 @@ impl PerBody {
         }
     }
 
-    /// The struct beside what is implemented with it, if there is one.
+    /// Adds the struct, if there is one, to the implementations that use it.
     pub fn beside(&self, site: &Site<'_>, addition: Addition) -> Addition {
         match self {
             Self::Alone(_) => addition,
@@ -86,7 +87,7 @@ impl PerBody {
         }
     }
 
-    /// The part of each body, by its number, filled from the next values.
+    /// The item of each body, by its index, filled from the next values.
     pub fn filled(
         &self,
         site: &Site<'_>,

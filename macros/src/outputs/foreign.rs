@@ -1,4 +1,4 @@
-//! Derivatives that nobody has given, of functions that stand in the Rust of the user.
+//! Missing derivatives of the user's Rust functions.
 
 use crate::errors::{Errors, Extent};
 use crate::model::{ForeignFunction, Outline, Workspace};
@@ -6,7 +6,7 @@ use crate::symbolic::{Foreign, Id, Node};
 
 use super::output::{Listed, Output};
 
-/// Reports the derivatives that an output would need, where it is asked for.
+/// Reports the missing derivatives that an output needs, at its request.
 pub fn check_output<S: Listed>(
     output: &dyn Output<S>,
     outline: &Outline,
@@ -48,7 +48,7 @@ fn check_slopes(
     reported.is_empty().then_some(())
 }
 
-/// What is missing, and what to do about it.
+/// The missing derivative, and the remedy.
 fn missing(function: &ForeignFunction, which: Foreign) -> String {
     let name = &function.name;
     if which.orders().iter().sum::<u32>() > 1 {

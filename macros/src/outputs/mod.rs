@@ -1,5 +1,6 @@
-//! What is generated beside the accelerations, one file each: what it derives, what it emits, what
-//! it documents. What both one body and a system have is here, the rest in a wing of each.
+//! Outputs: the generated code beyond the accelerations. One file for each, with its derivation,
+//! its code and its documentation. Outputs of both bodies and systems are here, the others in
+//! `body` and `system`.
 
 mod balance;
 mod body;
@@ -31,7 +32,7 @@ use output::{Basis, Output, Place};
 pub use foreign::check_equations;
 pub use output::Listed;
 
-/// What a description may ask for.
+/// The outputs that a description may request.
 pub fn offers<S: Listed>() -> Vec<&'static Offer> {
     let all = S::offered().into_iter();
     all.filter_map(|output| output.offer()).collect()
@@ -40,7 +41,7 @@ pub fn offers<S: Listed>() -> Vec<&'static Offer> {
 /// The outputs of a body, or of a system.
 pub struct Outputs<S: Listed>(Vec<Box<dyn Output<S>>>);
 
-/// What a body has, not yet derived: what a description with mistakes gets.
+/// The requested outputs before their derivation, which is what a description with mistakes gets.
 pub fn wanted<S: Listed>(outline: &Outline) -> Outputs<S> {
     let all = S::outputs().into_iter();
     let is_meaningless = |offer: &Offer| offer.is_of_motion && outline.is_still();
@@ -50,7 +51,7 @@ pub fn wanted<S: Listed>(outline: &Outline) -> Outputs<S> {
     Outputs(wanted.collect())
 }
 
-/// Derives what there is beside the accelerations.
+/// Derives the requested outputs.
 pub fn derive_outputs<S: Listed>(
     outline: &Outline,
     model: &S,
@@ -83,12 +84,12 @@ impl<S: Listed> Outputs<S> {
         outputs.collect()
     }
 
-    /// The entries of a tensor of which a body of doubles is to keep the principal axes.
+    /// The entries of a tensor whose principal axes a body of doubles stores.
     pub fn tensor(&self) -> Option<[Id; 6]> {
         self.0.iter().find_map(|output| output.tensor())
     }
 
-    /// Adds to a report what the outputs are like, and which were not asked for.
+    /// Adds to a report the properties of the outputs, and those that were not requested.
     pub fn describe(
         &self,
         outline: &Outline,
@@ -109,7 +110,8 @@ impl<S: Listed> Outputs<S> {
         }
     }
 
-    /// In their places. Operations are told of what is asked for, and then of the rest.
+    /// The code of all outputs, in their places. Operations are listed first for the requested
+    /// ones.
     pub fn emit(&self, site: &Site<'_>) -> Addition {
         let mut placed: Vec<_> = self
             .0

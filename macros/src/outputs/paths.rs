@@ -1,4 +1,4 @@
-//! How what turns moves in closed form, as code: a path of the runtime, and where it begins.
+//! Rotations in closed form, as code: a path of the runtime, and its start.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -6,14 +6,14 @@ use quote::{format_ident, quote};
 use crate::emit::code::{PRINCIPAL_AXES, Shapes, Values, local};
 use crate::mechanics::{Free, Rotation};
 
-/// What turns from a state on.
+/// The start of a rotation.
 pub struct Start<'a> {
     pub shapes: &'a Shapes,
     /// The state: of a body, or of a joint.
     pub place: TokenStream,
     /// The same, as a reference.
     pub reference: TokenStream,
-    /// It moves, too.
+    /// Its center of mass moves, too.
     pub translates: bool,
 }
 
@@ -33,7 +33,7 @@ pub fn rotation_type(shapes: &Shapes, rotation: &Rotation) -> Option<TokenStream
 }
 
 impl Start<'_> {
-    /// The path of a rotation, of the values that follow.
+    /// The path of a rotation, from the next values.
     pub fn rotation(&self, rotation: &Rotation, values: &mut Values<'_>) -> Option<TokenStream> {
         let (private, place) = (&self.shapes.private, &self.place);
         Some(match rotation {
@@ -73,13 +73,13 @@ impl Start<'_> {
         })
     }
 
-    /// The state of what turns about an axis.
+    /// The state of a rotation about an axis.
     pub fn hinge(&self) -> TokenStream {
         self.turning("Hinge", "angle")
     }
 
-    /// `state`, or of what moves too `&Rotation { attitude: state.attitude, angular_velocity:
-    /// state.angular_velocity }`
+    /// `state`, or if the center of mass moves, too, `&Rotation { attitude: state.attitude,
+    /// angular_velocity: state.angular_velocity }`
     fn turning(&self, kind: &str, coordinate: &str) -> TokenStream {
         let (private, place) = (&self.shapes.private, &self.place);
         let (kind, coordinate) = (format_ident!("{kind}"), format_ident!("{coordinate}"));
@@ -122,7 +122,7 @@ impl Start<'_> {
     }
 }
 
-/// `[..]` of the values that follow.
+/// `[..]` of the next values.
 pub fn list(values: &mut Values<'_>, count: usize) -> TokenStream {
     let part = values.take(count);
     quote!([#(#part),*])

@@ -14,7 +14,8 @@ use crate::mechanics::{
     with_potentials, with_system_potentials,
 };
 use crate::model::{
-    Checks, Defaults, Frame, Load, Model, Outline, Own, Property, Substance, System, Workspace,
+    Checks, Defaults, Frame, Load, Member, Model, Outline, Own, Property, Substance, System,
+    Workspace,
 };
 use crate::symbolic::Id;
 
@@ -83,7 +84,7 @@ pub trait Subject: Tangent + Sized + 'static {
         outline: &Outline,
     ) -> Vec<Balance>;
 
-    /// The constraints that the motion keeps, and how far rounding reaches in each.
+    /// The constraints of the motion, and the bound of rounding in each.
     fn constraints(
         &self,
         work: &mut Workspace,
@@ -99,10 +100,10 @@ pub trait Subject: Tangent + Sized + 'static {
         errors: &mut Errors,
     ) -> Option<Taylor>;
 
-    /// What a linearization differentiates.
+    /// The expressions that a linearization differentiates.
     fn differentiated(&self, work: &mut Workspace, equations: &Self::Equations) -> Differentiated;
 
-    /// Those of each body, in the order in which the outline has them.
+    /// The regressor of each body, in the order of the outline.
     fn regressors(
         &self,
         outline: &Outline,
@@ -241,12 +242,7 @@ impl Subject for System {
     }
 
     fn substances(&self) -> Vec<Substance> {
-        let bodies = self.bodies.iter().map(|body| Substance {
-            name: Some(body.name.to_string()),
-            mass: Some(body.mass),
-            inertia: body.inertia,
-        });
-        bodies.collect()
+        self.bodies.iter().map(Member::substance).collect()
     }
 
     fn properties(&self) -> &[Property] {
@@ -332,7 +328,7 @@ impl Subject for System {
 }
 
 impl System {
-    /// What there is of each body, in the order in which the outline has them.
+    /// One item for each body, in the order of the outline.
     fn as_written<T>(&self, outline: &Outline, all: Vec<T>) -> Vec<T> {
         let mut named: Vec<_> = self.bodies.iter().map(|body| &body.name).zip(all).collect();
         named.sort_by_key(|(name, _)| outline.bodies.iter().position(|body| body == *name));

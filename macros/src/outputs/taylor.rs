@@ -19,7 +19,7 @@ const OFFER: Offer = Offer {
     ..Offer::new("taylor")
 };
 
-/// For a system with more products of series than this, Runge–Kutta steps are faster. At 1e-9,
+/// Runge–Kutta steps are faster for a system with more products of series than this. At 1e-9,
 /// series take 0.8 of the time for a double pendulum (15 products), 0.75 for a satellite with three
 /// wheels (56), 1.5 for an arm of six axes (256).
 const WIDEST: usize = 128;

@@ -14,7 +14,6 @@ use crate::bodies::body::InvalidBody;
 use crate::bodies::columns::Generic;
 use crate::numbers::lanes::Width;
 
-mod adaptive;
 mod blocks;
 mod course;
 mod evaluate;
@@ -25,7 +24,6 @@ mod plan;
 #[cfg(feature = "progress")]
 mod progress;
 mod statistics;
-mod ways;
 #[cfg(feature = "serde")]
 mod written;
 

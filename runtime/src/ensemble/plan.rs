@@ -4,8 +4,9 @@ use alloc::vec::Vec;
 use core::ops::Range;
 
 use super::Members;
+use crate::bodies::body::RigidBody;
 use crate::bodies::columns::Generic;
-use crate::integrate::Pace;
+use crate::integrate::{Pace, Stretch};
 
 /// The limits of the steps of all members.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +24,28 @@ impl Limits {
         Pace {
             max_step: self.max_step,
             breaks: self.breaks.iter(),
+        }
+    }
+
+    /// The time up to which the equations of a member do not change, at most the end; its stretch
+    /// is replaced if it is over.
+    #[cfg_attr(not(unoptimized), inline(always))]
+    pub(super) fn until<L: RigidBody>(
+        &self,
+        (body, input): (&L, &L::Input),
+        stretch: &mut Stretch,
+        (now, end, forwards): (f64, f64, bool),
+        lane: usize,
+    ) -> f64 {
+        let is_before = |time: f64| if forwards { now < time } else { now > time };
+        if !is_before(stretch.next) {
+            *stretch = Stretch::of(body, input, (now, forwards, lane), self.breaks.iter());
+        }
+        let next = stretch.next;
+        if forwards {
+            next.min(end)
+        } else {
+            next.max(end)
         }
     }
 }

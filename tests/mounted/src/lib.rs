@@ -16,7 +16,7 @@
 pub mod checks;
 #[path = "../../../macros/src/emit/mod.rs"]
 pub mod emit;
-#[path = "../../../macros/src/errors.rs"]
+#[path = "../../../macros/src/errors/mod.rs"]
 pub mod errors;
 #[path = "../../../macros/src/expand.rs"]
 pub mod expand;

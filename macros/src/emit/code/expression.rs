@@ -9,7 +9,7 @@ use super::block::Block;
 use super::naming::given;
 use super::scalar::number_literal;
 
-/// How tightly an expression binds, from the loosest to the tightest.
+/// The precedence of an expression, from the loosest to the tightest.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Precedence {
     Lowest,

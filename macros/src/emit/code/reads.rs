@@ -14,7 +14,7 @@ use super::block::Block;
 use super::naming::{given, local};
 use super::writer::{Source, Told};
 
-/// Which component of a quantity a symbol is, if it is one.
+/// The component of a quantity that a symbol stands for, if it stands for one.
 type Component = Box<dyn Fn(Meaning) -> Option<usize>>;
 
 /// Components that are read together: their place, and the name of each; a scalar has one.

@@ -1,5 +1,5 @@
-//! How a body is built: its parameters are checked, and what depends on them alone is computed and
-//! stored.
+//! The constructor of a body: it checks the parameters, and computes and stores everything that
+//! depends on them alone.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
@@ -12,22 +12,22 @@ use super::possible::Checked;
 
 /// All expressions that code is generated for.
 pub struct Roots {
-    /// Those that have to be finite.
+    /// The expressions that must be finite.
     pub finite: Vec<Id>,
-    /// When the equations change: a switch that is at no time is none.
+    /// The times at which the equations change. One that is not finite is no switch.
     pub switches: Vec<Id>,
-    /// The entries of a tensor of which a body of doubles keeps the principal axes.
+    /// The entries of a tensor whose principal axes a body of doubles stores.
     pub tensor: Option<[Id; 6]>,
-    /// What links and cables are made with.
+    /// The properties of links and cables.
     pub properties: Vec<Property>,
 }
 
-/// What a body is built from and keeps.
+/// The content of `new`, and the fields that a body stores.
 #[derive(Default)]
 pub struct Constructor {
-    /// Fields beside `params`: what depends on the parameters alone.
+    /// Fields next to `params`: expressions that depend on the parameters alone.
     pub stored: Vec<Ident>,
-    /// The field of principal axes, where a closed form needs them.
+    /// The field of principal axes, if a closed form needs them.
     pub axes: Option<Ident>,
     /// Checks and computations of `new`.
     pub body: TokenStream,
@@ -58,13 +58,13 @@ pub fn stored_fields(outline: &Outline, work: &Workspace, roots: &Roots) -> Fiel
     Fields(fields.collect())
 }
 
-/// What is known early of expressions, as it is stored.
+/// The parts of expressions that are known early, as they are stored.
 fn reached(work: &Workspace, roots: &[Id]) -> Vec<Id> {
     let graph = &work.graph;
     graph.reachable(roots, |id| !graph.is_early(id))
 }
 
-/// A constant is called after the parameters that it is computed from.
+/// A constant has the names of the parameters from which it is computed.
 fn field_name(outline: &Outline, work: &Workspace, id: Id) -> String {
     let graph = &work.graph;
     let mut words: Vec<String> = Vec::new();
@@ -81,7 +81,7 @@ fn field_name(outline: &Outline, work: &Workspace, id: Id) -> String {
 }
 
 impl Constructor {
-    /// `new` checks the parameters, and computes and stores what depends on them alone.
+    /// `new` checks the parameters, and computes and stores everything that depends on them alone.
     pub fn write(
         outline: &Outline,
         (bodies, work): (&[Substance], &Workspace),
@@ -100,14 +100,13 @@ impl Constructor {
         });
         let tensor = roots.tensor.filter(|_| outline.scalar.is_none());
         let tensor: Vec<Id> = tensor.into_iter().flatten().collect();
-        let properties = roots.properties.iter();
-        let properties = properties.filter(|property| is_open(&property.value));
-        let properties: Vec<&Property> = properties.collect();
+        let mut properties: Vec<&Property> = roots.properties.iter().collect();
+        properties.retain(|property| is_open(&property.value));
         let made_with = properties.iter().map(|property| property.value).collect();
         let stored = fields.0.iter().map(|(id, _)| *id).collect();
         let possible = checked.values();
-        let all = [possible.clone(), made_with, tensor.clone(), stored];
-        let code = writer.function(&all.concat());
+        let all = [possible.clone(), made_with, tensor.clone(), stored].concat();
+        let code = writer.function(&all);
         let (possible, values) = code.outputs.split_at(possible.len());
         let (made_with, values) = values.split_at(properties.len());
         let (tensor, values) = values.split_at(tensor.len());
@@ -117,17 +116,15 @@ impl Constructor {
         let (rest, text_of_rest) = let_fields(&stored, values, value_text);
         let text = [constants_text(work), code.facts.text, text_of_rest].concat();
         let private = &writer.shapes.private;
-        let (finite, statements) = (finite_checks(outline), code.statements);
+        let statements = code.statements;
         let possible = checked.emit(possible, private);
         let made = check_properties(&properties, made_with, private);
         let derived = check_derived(work, roots, fields, private);
         let axes = (!tensor.is_empty()).then(|| local(PRINCIPAL_AXES));
-        let set_axes = axes
-            .iter()
-            .map(|axes| quote!(let #axes = #private::principal_axes([#(#tensor),*]);));
+        let principal = quote!(#private::principal_axes([#(#tensor),*]));
+        let set_axes = axes.iter().map(|axes| quote!(let #axes = #principal;));
         let own = own_fields(outline);
-        let check_params =
-            (!finite.is_empty()).then(|| quote!(#private::check_finite(&[#(#finite),*])?;));
+        let check_params = check_params(outline, private);
         let body = quote! {
             #check_params
             #statements
@@ -156,7 +153,7 @@ impl Constructor {
     }
 }
 
-/// The parameters, or what holds the scalar of a body without them.
+/// The parameters, or the marker of the scalar of a body without any.
 fn own_fields(outline: &Outline) -> TokenStream {
     match (outline.params.is_empty(), &outline.scalar) {
         (false, _) => quote!(params,),
@@ -173,7 +170,7 @@ fn constants_text(work: &Workspace) -> Vec<String> {
         .collect()
 }
 
-/// `let arm = ..;` of each field, but of what is a statement and has its name already; and as text.
+/// `let arm = ..;` for each field that is not yet a statement with its name; and the same as text.
 fn let_fields(
     stored: &[Ident],
     values: &[TokenStream],
@@ -188,7 +185,7 @@ fn let_fields(
     both.unzip()
 }
 
-/// Whether links and cables can be made with what parameters decide of them.
+/// Checks the properties of links and cables that depend on parameters.
 fn check_properties(
     properties: &[&Property],
     values: &[TokenStream],
@@ -201,7 +198,7 @@ fn check_properties(
     checks.collect()
 }
 
-/// Whether what is stored is finite, where it has to be.
+/// Checks that stored values are finite, where they must be.
 fn check_derived(
     work: &Workspace,
     roots: &Roots,
@@ -215,8 +212,8 @@ fn check_derived(
     (!checked.is_empty()).then(|| quote!(#private::check_finite(&[#((#words, #checked)),*])?;))
 }
 
-/// `("arm", params.arm)` of every parameter, by component.
-fn finite_checks(outline: &Outline) -> Vec<TokenStream> {
+/// `check_finite(&[("arm", params.arm), ..])?;` of every parameter, by component.
+fn check_params(outline: &Outline, private: &TokenStream) -> Option<TokenStream> {
     let axes = AXES[..outline.motion.axes()].iter();
     let axes = axes.map(|axis| Ident::new(axis, Span::call_site()));
     let parts: Vec<TokenStream> = axes.map(|axis| quote!(.#axis)).collect();
@@ -229,5 +226,6 @@ fn finite_checks(outline: &Outline) -> Vec<TokenStream> {
             .into_iter()
             .map(move |part| quote!((#word, params.#name #part)))
     });
-    checks.collect()
+    let checks: Vec<TokenStream> = checks.collect();
+    (!checks.is_empty()).then(|| quote!(#private::check_finite(&[#(#checks),*])?;))
 }

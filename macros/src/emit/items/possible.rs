@@ -14,7 +14,7 @@ pub struct Checked<'a> {
 }
 
 impl<'a> Checked<'a> {
-    /// Those whose values are `wanted`.
+    /// The properties whose values are `wanted`.
     pub fn of(bodies: &'a [Substance], wanted: impl Fn(&[Id]) -> bool) -> Self {
         let masses = bodies
             .iter()

@@ -215,8 +215,9 @@ fn emit_built(
     }
 }
 
-/// What a body stores goes together: where there is something, its items stand in a module of their
-/// own, and nobody beside the call can change a part of it. `added` are structs of outputs.
+/// The fields that a body stores depend on each other. If there are any, its items are in a module
+/// of their own, so that no code next to the call can change one of them. `added` are structs of
+/// outputs.
 pub fn with_private_fields(outline: &Outline, items: TokenStream, added: &[Ident]) -> TokenStream {
     if !outline.is_built() {
         return items;

@@ -1,6 +1,7 @@
 //! Checks: claims, and their states.
 
 use crate::errors::Extent;
+use crate::families::LoadKind;
 use crate::lower::expressions::{Lowering, Value};
 use crate::model::{Answers, Check, Checks, Claim, Dimension, Frame, Meaning, Variable};
 use crate::symbolic::{Comparison, Components, Function, Id, Node, Number, Stage};
@@ -55,11 +56,11 @@ impl Lowering<'_> {
             .define("energy", Some(Value::Scalar(whole, energy)));
         let linear = Dimension::base([1, 1, -1, 0, 0, 0, 0]);
         let angular = Dimension::base([1, 2, -1, 0, 0, 0, 0]);
-        let axes = 0..self.motion.axes();
         let is_planar = self.motion.is_planar;
-        let about = if is_planar { 2..3 } else { 0..3 };
-        let [linear_momentum, angular_momentum] =
-            [axes, about].map(|axes| self.work.symbols(Stage::State, axes, |_| Meaning::Virtual));
+        let [linear_momentum, angular_momentum] = [LoadKind::Force, LoadKind::Moment].map(|kind| {
+            let axes = kind.axes(is_planar);
+            self.work.symbols(Stage::State, axes, |_| Meaning::Virtual)
+        });
         let vector = self.work.vector(Frame::WORLD, linear_momentum);
         self.scope
             .define("linear_momentum", Some(Value::Vector(vector, linear)));

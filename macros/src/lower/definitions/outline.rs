@@ -55,22 +55,9 @@ pub fn outline(
 ) -> Outline {
     check_motion(description, errors);
     let motion = written_motion(description).unwrap_or_else(|| likely_motion(description));
-    let declared = |declaration: &Declaration| {
-        let frame = declaration.value.iter().flatten().find_map(written_frame);
-        let has_default = declaration
-            .value
-            .as_ref()
-            .is_some_and(|value| !value.as_ref().is_some_and(has_placeholder));
-        let components = frame.map_or(1, |_| motion.axes());
-        Declared {
-            name: declaration.name.clone(),
-            frame,
-            dimension: Dimension::ANY,
-            unit: None,
-            moves: declaration.moving.is_some(),
-            order: declaration.order,
-            default: has_default.then(|| vec![Number::zero(); components]),
-        }
+    let declared = |declarations| {
+        let each = distinct(declarations).map(|declaration| declared(declaration, motion));
+        each.collect()
     };
     Outline {
         name: description.name.clone(),
@@ -90,9 +77,9 @@ pub fn outline(
             .foreign()
             .map(|(name, _)| name.clone())
             .collect(),
-        params: distinct(&description.params).map(declared).collect(),
-        inputs: distinct(&description.inputs).map(declared).collect(),
-        states: distinct(&description.states).map(declared).collect(),
+        params: declared(&description.params),
+        inputs: declared(&description.inputs),
+        states: declared(&description.states),
         outputs: check_outputs(description, offers, errors),
         reactions: by_name(description, is_unknown),
         drives: by_name(description, is_drive),
@@ -108,6 +95,25 @@ pub fn outline(
             + description.potentials.len(),
         open: Vec::new(),
         unused: Vec::new(),
+    }
+}
+
+/// A declaration, as far as it is known before anything is looked up.
+fn declared(declaration: &Declaration, motion: Motion) -> Declared {
+    let frame = declaration.value.iter().flatten().find_map(written_frame);
+    let has_default = declaration
+        .value
+        .as_ref()
+        .is_some_and(|value| !value.as_ref().is_some_and(has_placeholder));
+    let components = frame.map_or(1, |_| motion.axes());
+    Declared {
+        name: declaration.name.clone(),
+        frame,
+        dimension: Dimension::ANY,
+        unit: None,
+        moves: declaration.moving.is_some(),
+        order: declaration.order,
+        default: has_default.then(|| vec![Number::zero(); components]),
     }
 }
 

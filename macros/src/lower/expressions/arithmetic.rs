@@ -188,7 +188,7 @@ impl Lowering<'_> {
         self.report(place, message)
     }
 
-    /// What to write if a vector was meant, not a point.
+    /// The text to write if a vector was meant, not a point.
     fn instead(&self, value: Value, written: Option<&Expression>) -> String {
         if !matches!(value, Value::Point(_)) {
             return String::new();

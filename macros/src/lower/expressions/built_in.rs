@@ -127,7 +127,7 @@ impl Lowering<'_> {
         self.report(name.span(), message)
     }
 
-    /// How a name in capitals is declared.
+    /// The declaration of a name in capitals, for messages.
     fn of_rust(&self, word: &str) -> String {
         let mut name = word.to_lowercase();
         if self.scope.known().any(|known| known == name) {

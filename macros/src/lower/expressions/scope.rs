@@ -147,7 +147,7 @@ impl Scope {
         self.values.get(name).copied().flatten()
     }
 
-    /// Whether this is a built-in name of what changes while the body moves.
+    /// Whether this is a built-in name of a quantity that changes while the body moves.
     pub fn is_changing(name: &str) -> bool {
         CHANGING.contains(&name)
     }

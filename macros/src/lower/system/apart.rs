@@ -9,6 +9,7 @@
 use std::collections::HashSet;
 
 use crate::errors::{Errors, every, silently};
+use crate::families::LoadKind;
 use crate::lower::expressions::{BodyMotion, Lowering, Value};
 use crate::model::{Along, Displaced, Form, Frame, State, TreeJoint, Turns, Variable, Vector};
 use crate::symbolic::{Components, Id, Stage};
@@ -141,15 +142,16 @@ impl Reader<'_> {
         let held = self.held_coordinates(joints);
         let symbols = held.iter().map(|(place, held)| (*held, *place));
         apart.stands_for.extend(symbols);
+        let kinds = [LoadKind::Force, LoadKind::Moment];
+        let [axes, turning] = kinds.map(|kind| kind.axes(self.system.is_planar));
         for joint in joints {
             let draft = &mut drafts[joint.carried];
             let Some(state) = &mut draft.state else {
                 continue;
             };
-            let displacement = self.work.free_symbols(0..self.motion.axes());
-            let velocity = self.work.free_symbols(0..self.motion.axes());
-            let turning = if self.system.is_planar { 2..3 } else { 0..3 };
-            let angular_velocity = self.work.free_symbols(turning);
+            let displacement = self.work.free_symbols(axes.clone());
+            let velocity = self.work.free_symbols(axes.clone());
+            let angular_velocity = self.work.free_symbols(turning.clone());
             let zero = self.work.graph.zero();
             apart
                 .stands_for

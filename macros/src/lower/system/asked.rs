@@ -3,12 +3,13 @@
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, hint};
+use crate::families::LoadKind;
 use crate::lower::expressions::Value;
 use crate::model::{Checks, Dimension, Frame, Meaning};
 use crate::symbolic::{Components, Stage};
 use crate::syntax::Expression;
 
-use super::joints::joint::{Written, first_name_of};
+use super::joints::joint::{ReadJoint, first_name_of};
 use super::outline::name_of_point;
 use super::reading::reader::Reader;
 
@@ -29,14 +30,9 @@ impl Reader<'_> {
     /// New symbols for force and moment of a joint, as its `.force` and `.moment`.
     fn carried(&mut self, joint: &Ident) -> (Ident, [Components; 2]) {
         let is_planar = self.system.is_planar;
-        let (axes, about) = if is_planar {
-            (0..2, 2..3)
-        } else {
-            (0..3, 0..3)
-        };
         let work = &mut self.work;
-        let [force, moment] =
-            [axes, about].map(|axes| work.symbols(Stage::State, axes, |_| Meaning::Virtual));
+        let [force, moment] = [LoadKind::Force, LoadKind::Moment]
+            .map(|kind| work.symbols(Stage::State, kind.axes(is_planar), |_| Meaning::Virtual));
         let vector = |dimension, part| Value::Vector(part, dimension);
         let [along, around] = [force, moment].map(|part| work.vector(Frame::WORLD, part));
         let around = if is_planar {
@@ -56,7 +52,7 @@ impl Reader<'_> {
     }
 
     /// Checks that the names after `reactions` are joints that hold something, or are among `kept`.
-    pub fn check_held(&self, joints: &[Option<Written>], kept: &[Ident], errors: &mut Errors) {
+    pub fn check_held(&self, joints: &[Option<ReadJoint>], kept: &[Ident], errors: &mut Errors) {
         let held = self.system.held.iter().flatten();
         let mut seen: Vec<&Ident> = Vec::new();
         for name in held {

@@ -1,7 +1,7 @@
 //! Constraints of a system and of its bodies.
 
 use crate::errors::Errors;
-use crate::model::{Declared, Kept, TreeJoint};
+use crate::model::{Constraints, Declared, TreeJoint};
 
 use super::reading::body::Draft;
 use super::reading::reader::Reader;
@@ -21,7 +21,7 @@ impl Reader<'_> {
         drafts: &mut [Draft<'_>],
         joints: &[TreeJoint],
         errors: &mut Errors,
-    ) -> Option<Kept> {
+    ) -> Option<Constraints> {
         let mut kept = self.kept.take()?;
         if kept.list.is_empty() {
             return Some(kept);

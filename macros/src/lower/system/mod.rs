@@ -19,7 +19,7 @@ use proc_macro2::Ident;
 
 use crate::errors::Errors;
 use crate::lower::definitions::{FLOW, LINEARIZATION, check_changing, unused};
-use crate::model::{Closing, Constraint, Member, Outline, System, TreeJoint, Workspace};
+use crate::model::{Connection, Constraint, Member, Outline, System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Id};
 use crate::syntax;
 
@@ -60,12 +60,7 @@ pub fn lower_system(
     for (body, load) in between.loads {
         bodies[body].loads.push(load);
     }
-    let Reader {
-        mut work,
-        defaults,
-        derivatives,
-        ..
-    } = reader;
+    let mut work = reader.work;
     let gravity = common_gravity(&mut work, &mut bodies, system.top.loads.len());
     let bodies = carriers_first(bodies, &mut joints, &mut closings, &mut points)?;
     let written = tell_frames(outline, &joints);
@@ -87,11 +82,9 @@ pub fn lower_system(
         cables: between.cables,
         links,
         properties: [lengths, between.properties].concat(),
-        derivatives,
-        is_differentiated: [LINEARIZATION, FLOW]
-            .iter()
-            .any(|word| outline.rank(word).is_some()),
-        defaults,
+        derivatives: reader.derivatives,
+        is_differentiated: outline.asks_for(&[LINEARIZATION, FLOW]),
+        defaults: reader.defaults,
         checks: checks?,
     };
     errors.is_empty().then_some((system, work))
@@ -104,11 +97,7 @@ fn check_substances<'b>(
     outline: &Outline,
     errors: &mut Errors,
 ) {
-    let made_of = bodies.flat_map(|body| {
-        let entries = body.inertia.distinct_entries();
-        entries.into_iter().chain([body.mass])
-    });
-    let made_of: Vec<Id> = made_of.collect();
+    let made_of: Vec<Id> = bodies.flat_map(|body| body.substance().numbers()).collect();
     check_changing(work, &made_of, outline, errors);
 }
 
@@ -168,7 +157,7 @@ fn tell_frames(outline: &mut Outline, joints: &[TreeJoint]) -> Vec<usize> {
 fn carriers_first(
     bodies: Vec<Member>,
     joints: &mut [TreeJoint],
-    closings: &mut [Closing],
+    closings: &mut [Connection],
     points: &mut [(usize, Components)],
 ) -> Option<Vec<Member>> {
     let place = |body: usize| joints.iter().position(|joint| joint.carried == body);
@@ -176,13 +165,10 @@ fn carriers_first(
     numbered.sort_by_key(|(body, _)| place(*body));
     let old: Vec<usize> = numbered.iter().map(|(body, _)| *body).collect();
     let new = |body: usize| old.iter().position(|other| *other == body);
-    for joint in joints {
-        joint.carrier = joint.carrier.and_then(new);
-        joint.carried = new(joint.carried)?;
-    }
-    for closing in closings {
-        closing.carrier = closing.carrier.and_then(new);
-        closing.carried = new(closing.carried)?;
+    let joints = joints.iter_mut().map(|joint| &mut joint.connection);
+    for connection in joints.chain(closings) {
+        connection.carrier = connection.carrier.and_then(new);
+        connection.carried = new(connection.carried)?;
     }
     for (body, _) in points {
         *body = new(*body)?;
@@ -198,7 +184,7 @@ impl<'a> Reader<'a> {
         drafts: &mut [Draft<'a>],
         kept: &[Ident],
         errors: &mut Errors,
-    ) -> (Vec<TreeJoint>, Vec<Closing>) {
+    ) -> (Vec<TreeJoint>, Vec<Connection>) {
         let joints = self.joints(errors);
         self.check_held(&joints, kept, errors);
         let (order, closing) = self.tree(&joints, errors);

@@ -46,7 +46,7 @@ const LENGTH_OF_LINK: Sort = Sort {
 };
 
 impl Reader<'_> {
-    /// What is written as `link(P, Q, length)`.
+    /// The links, `link(P, Q, length)`, and their lengths.
     pub fn links(&mut self, errors: &mut Errors) -> Option<(Vec<Tie>, Vec<Property>)> {
         let system = self.system;
         let (mut ties, mut lengths) = (Vec::new(), Vec::new());

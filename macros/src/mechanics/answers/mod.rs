@@ -16,4 +16,4 @@ pub use momentum::{Momentum, derive_momentum};
 pub use partial::{Partial, list_partial, loads, parts};
 pub use regressor::{Regressor, derive_regressor, inertial_parameters, told};
 pub use switches::{Switch, derive_switches};
-pub use taylor::{Moving, Taylor, derive_taylor, polynomials, quaternion_rate};
+pub use taylor::{SeriesInput, Taylor, derive_taylor, polynomials, quaternion_rate};

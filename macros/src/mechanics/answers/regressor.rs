@@ -9,7 +9,7 @@
 //! parameters of manipulator loads and links, 1986): the columns are the loads per unit of each.
 
 use crate::mechanics::balances::uniform_field;
-use crate::mechanics::tree::{Moving, Pair, Properties};
+use crate::mechanics::tree::{LinkMotion, Properties, SpatialVector};
 use crate::model::{Frame, Meaning, Model, Motion, Variable, Vector, Workspace};
 use crate::symbolic::Id;
 
@@ -68,7 +68,11 @@ pub fn derive_regressor(model: &Model, work: &mut Workspace) -> Regressor {
     let linear = work.graph.quantities(linear);
     let angular = state.angular_acceleration;
     let graph = &mut work.graph;
-    let moving = Moving::new(graph, state.angular_velocity, Pair { angular, linear });
+    let moving = LinkMotion::new(
+        graph,
+        state.angular_velocity,
+        SpatialVector { angular, linear },
+    );
     let units = Properties::units(graph);
     let columns = told(model.motion).iter().map(|number| {
         let taken = moving.taken_by(&mut work.graph, &units[*number]);
@@ -108,7 +112,8 @@ fn of_rod(model: &Model, work: &mut Workspace) -> Regressor {
         (rate, lever),
         (zeros, state.angular_acceleration),
     ];
-    let columns = columns.map(|(linear, angular)| rows(model, work, Pair { angular, linear }));
+    let columns =
+        columns.map(|(linear, angular)| rows(model, work, SpatialVector { angular, linear }));
     let zero = work.graph.zero();
     let mass = model.mass.unwrap_or(zero);
     let moments = model.inertia_entries();
@@ -142,7 +147,7 @@ fn fall_against(model: &Model, work: &mut Workspace) -> Vector {
 }
 
 /// The components along which the body moves.
-fn rows(model: &Model, work: &mut Workspace, taken: Pair) -> Vec<Id> {
+fn rows(model: &Model, work: &mut Workspace, taken: SpatialVector) -> Vec<Id> {
     let graph = &mut work.graph;
     if let Some(direction) = model.hinge(graph) {
         let along = graph.dot(direction, taken.angular);

@@ -65,7 +65,7 @@ pub fn derive_taylor(
         ..accelerations
     };
     let coordinates = coordinates(model, work, accelerations, axes_rate);
-    let moving = Moving {
+    let moving = SeriesInput {
         coordinates,
         polynomials: polynomials(Some(model.state.time), &model.derivatives, work),
         loads: loads(model, work),
@@ -75,7 +75,7 @@ pub fn derive_taylor(
 }
 
 /// The inputs of the series.
-pub struct Moving {
+pub struct SeriesInput {
     /// The coordinates of the state.
     pub coordinates: Vec<Coordinate>,
     /// Time, and inputs that move.
@@ -86,7 +86,7 @@ pub struct Moving {
     pub cables: Vec<String>,
 }
 
-impl Moving {
+impl SeriesInput {
     /// The recurrences, if they exist.
     pub fn expand(
         &self,

@@ -198,7 +198,7 @@ pub fn parts_along(
     parts.collect()
 }
 
-/// Those that do not vanish.
+/// The indices of the parts that do not vanish.
 pub fn not_vanishing(work: &mut Workspace, parts: &[Id]) -> Vec<usize> {
     let samples = samples(work, parts);
     (0..parts.len())

@@ -1,4 +1,4 @@
-//! What is the same in all states.
+//! Expressions that are the same in all states.
 
 use crate::mechanics::proofs::all_vanish;
 use crate::model::{Meaning, Variable, Workspace};
@@ -20,8 +20,8 @@ pub fn constants(work: &mut Workspace, roots: &[Id]) -> Option<Vec<Id>> {
     all_vanish(work, &differences).then_some(values)
 }
 
-/// What expressions are in the state of which all numbers but those that are `kept` are zero, and
-/// attitudes those of the ground.
+/// Expressions in the state in which all numbers except those that are `kept` are zero, and all
+/// attitudes are those of the ground.
 pub fn at_rest(work: &mut Workspace, roots: &[Id], kept: impl Fn(Id) -> bool) -> Vec<Id> {
     let (zero, one) = (work.graph.zero(), work.graph.one());
     let late = work.graph.reachable(roots, |id| !work.graph.is_early(id));

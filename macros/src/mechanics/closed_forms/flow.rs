@@ -147,7 +147,7 @@ fn symmetric_body(model: &Model, work: &mut Workspace, moment: Components) -> Op
     symmetric(&Solid::of(model, work)?, work, moment)
 }
 
-/// How a symmetric body turns under a moment.
+/// The rotation of a symmetric body under a moment.
 pub fn symmetric(solid: &Solid, work: &mut Workspace, moment: Components) -> Option<Rotation> {
     if let Some(top) = lagrange_top(solid, work, moment) {
         return Some(Rotation::Top(top));

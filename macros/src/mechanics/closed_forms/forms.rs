@@ -72,7 +72,7 @@ impl Rotation {
         }
     }
 
-    /// Which motion it is.
+    /// The kind of motion.
     pub fn describe(&self) -> Option<&'static str> {
         Some(match self {
             Self::None => return None,
@@ -118,7 +118,7 @@ pub fn dependence(work: &Workspace, roots: &[Id]) -> &'static str {
     causes.min().map_or("the state", |(_, word)| word)
 }
 
-/// A rank and a word for what changes in time.
+/// A rank and a word for the dependence on time.
 fn cause(meaning: Meaning) -> Option<(u8, &'static str)> {
     use Variable::{Angle, AngularVelocity, Axis, AxisRate, Position, Quaternion, Velocity};
     Some(match meaning {

@@ -5,7 +5,7 @@ use crate::symbolic::{Components, Graph, Id, Number, Spectrum};
 
 use super::solid::Solid;
 
-/// What the free rotation of a body depends on.
+/// The quantities that determine the free rotation of a body.
 pub enum Free {
     /// All moments of inertia are equal.
     Steady,

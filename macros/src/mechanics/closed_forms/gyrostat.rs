@@ -1,11 +1,11 @@
-//! A gyrostat: a body with rotors, symmetric about an axis e, of which all rotors turn.
+//! A gyrostat: a body with rotors, symmetric about the axis e of all rotors.
 //!
 //! ```text
 //! w' = n w x e + r' e        r = w . e; n' and r' constant
 //! ```
 //!
-//! With A the moment of inertia across the axis and h the angular momentum along it, rotors and
-//! all, `n = r - h/A`. All of it is read off the acceleration.
+//! With A the moment of inertia across the axis, and h the angular momentum along it including that
+//! of the rotors, `n = r - h/A`. All of these follow from the acceleration.
 
 use crate::mechanics::proofs::all_vanish;
 use crate::model::Workspace;
@@ -13,7 +13,7 @@ use crate::symbolic::{Components, Id, Number};
 
 use super::constants::{at_rest, constants};
 
-/// What the motion of a gyrostat depends on.
+/// The quantities that determine the motion of a gyrostat.
 pub struct Gyrostat {
     /// e, a unit vector, body axes.
     pub axis: Components,
@@ -25,7 +25,7 @@ pub struct Gyrostat {
     pub along: Id,
 }
 
-/// How a body turns, and what its acceleration may depend on.
+/// The rotation of a body, and the symbols on which its acceleration may depend.
 pub struct Turning<'a> {
     /// Body axes.
     pub angular_velocity: Components,
@@ -35,7 +35,7 @@ pub struct Turning<'a> {
 }
 
 impl Turning<'_> {
-    /// Of a rate.
+    /// The acceleration of a rate.
     fn acceleration(&self, rate: Id) -> Option<Id> {
         let mut rates = self.rates.iter();
         let found = rates.find(|(symbol, _)| *symbol == rate);
@@ -48,7 +48,7 @@ impl Gyrostat {
         [&self.axis[..], &[self.spin, self.drift, self.along]].concat()
     }
 
-    /// That about the first of these axes about which there is one.
+    /// The gyrostat about the first of these axes that is the axis of one.
     pub fn find(work: &mut Workspace, turning: &Turning<'_>, axes: &[Components]) -> Option<Self> {
         axes.iter()
             .find_map(|axis| Self::about(work, turning, *axis))

@@ -1,10 +1,10 @@
-//! What turns as one body.
+//! A part that rotates as one body.
 
 use crate::mechanics::balances::inertia_about_center;
 use crate::model::{Frame, Inertia, Model, Workspace};
 use crate::symbolic::Components;
 
-/// What turns as one body in space.
+/// A part that rotates as one body in space.
 #[derive(Clone, Copy)]
 pub struct Solid {
     /// Its axes.

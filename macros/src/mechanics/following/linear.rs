@@ -15,14 +15,14 @@ pub struct Followed {
     form: &'static str,
 }
 
-/// Of a body under constraints.
+/// The words for a body under constraints.
 pub const REACTION: Followed = Followed {
     any: "an unknown reaction",
     this: "this unknown reaction",
     form: "a multiple of its components, such as `-mu * N.in_world().y`",
 };
 
-/// Of a system.
+/// The words for a system.
 pub const LOAD: Followed = Followed {
     any: "the load of a constraint",
     this: "the load of this constraint",
@@ -37,7 +37,7 @@ const ACCELERATION: Followed = Followed {
 };
 
 impl Followed {
-    /// Which of the two kinds these depend on.
+    /// The kind that these expressions depend on.
     fn in_parts(self, work: &Workspace, roots: &[Id]) -> Self {
         if work.accelerations_in(roots).is_empty() {
             self

@@ -19,7 +19,7 @@ pub struct Block {
     pub column: Column,
     /// Column by column.
     pub entries: Vec<Id>,
-    /// Which of them may be nonzero.
+    /// Whether each of them may be nonzero.
     pub is_there: Vec<bool>,
 }
 

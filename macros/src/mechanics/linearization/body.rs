@@ -9,7 +9,7 @@ use crate::symbolic::Components;
 
 use super::differentiated::{Differentiated, Tangent};
 
-/// What is differentiated for a body.
+/// The expressions that are differentiated for a body.
 pub fn differentiated_body(model: &Model, Pair { linear, angular }: Pair) -> Differentiated {
     let motion = model.motion;
     let accelerations = [

@@ -1,4 +1,5 @@
-//! What a linearization differentiates: accelerations, or the balances from which they follow.
+//! The expressions that a linearization differentiates: accelerations, or the balances from which
+//! they follow.
 
 use crate::mechanics::system::Response;
 use crate::mechanics::variation::Direction;
@@ -34,7 +35,7 @@ impl Differentiated {
         }
     }
 
-    /// The change of the accelerations by that of what is differentiated.
+    /// The change of the accelerations by that of the differentiated expressions.
     pub fn finish(&mut self, work: &mut Workspace, change: Vec<Id>) -> Vec<Id> {
         match &mut self.response {
             Some(response) => {

@@ -8,7 +8,7 @@ use crate::symbolic::{Components, Id};
 
 use super::differentiated::{Differentiated, Tangent};
 
-/// What is differentiated for a system.
+/// The expressions that are differentiated for a system.
 pub fn differentiated_system(
     system: &System,
     work: &mut Workspace,

@@ -10,8 +10,8 @@ pub fn all_vanish(work: &Workspace, roots: &[Id]) -> bool {
     samples(work, roots).iter().all(Sample::is_zero)
 }
 
-/// Which of `roots` are proved to be zero in all states: tested together, and separately if one
-/// that residues cannot decide hides the others.
+/// Whether each of `roots` is proved to be zero in all states. They are tested together, and
+/// separately if residues cannot decide one of them.
 pub fn vanishing(work: &Workspace, roots: &[Id]) -> Vec<bool> {
     let samples = samples(work, roots);
     let all = samples.iter().zip(roots);

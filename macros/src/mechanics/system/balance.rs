@@ -3,11 +3,14 @@
 
 use proc_macro2::Ident;
 
+use crate::families::LoadKind;
 use crate::mechanics::answers::{Balance, LoadExpressions, Resultant};
-use crate::mechanics::tree::{self, Moving};
+use crate::mechanics::tree::{self, LinkMotion};
 use crate::mechanics::variation::derive_unit_loads;
-use crate::model::{Frame, Load, Meaning, Member, System, TreeJoint, Vector, Workspace};
-use crate::symbolic::{Components, Id, Stage};
+use crate::model::{
+    Connection, Frame, Load, Meaning, Member, System, TreeJoint, Vector, Workspace,
+};
+use crate::symbolic::{Id, Stage};
 
 use super::equations::SystemEquations;
 use super::loads::by_link;
@@ -67,11 +70,11 @@ fn summed(work: &mut Workspace, whole: [Vector; 2], part: [Vector; 2]) -> [Vecto
 fn of_joints(
     system: &System,
     work: &mut Workspace,
-    carried: &[(Between<'_>, [Vector; 2])],
+    carried: &[(&Connection, [Vector; 2])],
     number: usize,
 ) -> Vec<[Vector; 2]> {
     let body = &system.bodies[number];
-    let at_body = |joint: &Between<'_>| joint.carried == number || joint.carrier == Some(number);
+    let at_body = |joint: &Connection| joint.carried == number || joint.carrier == Some(number);
     let loads = carried.iter().filter(|(joint, _)| at_body(joint));
     let loads = loads.map(|(joint, [force, moment])| {
         // the point at which the joint holds the carried body
@@ -107,42 +110,18 @@ fn of_constraints(
     loads.collect()
 }
 
-/// The bodies of a joint, and its place on the carried one.
-struct Between<'a> {
-    name: &'a Ident,
-    carrier: Option<usize>,
-    carried: usize,
-    pin: Components,
-}
-
 /// The given force and moment of each joint on the carried body, world axes.
 fn joint_loads<'a>(
     system: &'a System,
     work: &mut Workspace,
     holding: &[Ident],
-) -> Vec<(Between<'a>, [Vector; 2])> {
-    let joints = system.joints.iter().map(|joint| Between {
-        name: &joint.name,
-        carrier: joint.carrier,
-        carried: joint.carried,
-        pin: joint.pin,
-    });
-    let closings = system.closings.iter().map(|joint| Between {
-        name: &joint.name,
-        carrier: joint.carrier,
-        carried: joint.carried,
-        pin: joint.pin,
-    });
-    let loads = joints.chain(closings).filter_map(|joint| {
-        let place = holding.iter().position(|name| name == joint.name)?;
-        let load = [0, 1].map(|part| {
-            let axes = match (part, system.is_planar) {
-                (0, true) => 0..2,
-                (_, true) => 2..3,
-                (_, false) => 0..3,
-            };
+) -> Vec<(&'a Connection, [Vector; 2])> {
+    let loads = system.connections().filter_map(|joint| {
+        let place = holding.iter().position(|name| *name == joint.name)?;
+        let kinds = [(0, LoadKind::Force), (1, LoadKind::Moment)];
+        let load = kinds.map(|(part, kind)| {
             let mut components = work.graph.zeros();
-            for axis in axes {
+            for axis in kind.axes(system.is_planar) {
                 let meaning = Meaning::Reaction(2 * place + part, axis);
                 components[axis] = work.symbol(Stage::State, meaning);
             }
@@ -180,7 +159,7 @@ fn taken(
     system: &System,
     work: &mut Workspace,
     body: &Member,
-    moving: &Moving,
+    moving: &LinkMotion,
     number: usize,
 ) -> [Vector; 2] {
     let graph = &mut work.graph;

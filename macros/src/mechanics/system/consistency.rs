@@ -58,7 +58,7 @@ pub fn derive_system_consistency(
     rows.collect()
 }
 
-/// What a unit of each row moves the coordinates by, and the rows by that.
+/// The change of the coordinates by one unit of each row, and the resulting changes of all rows.
 fn corrections(graph: &mut Graph, closed: &Closed) -> (Vec<Vec<Id>>, Vec<Vec<Id>>) {
     let mut directions = Vec::new();
     for row in closed.rows() {
@@ -78,8 +78,8 @@ fn corrections(graph: &mut Graph, closed: &Closed) -> (Vec<Vec<Id>>, Vec<Vec<Id>
     (directions, couplings)
 }
 
-/// What a value may be in a state of this size: where an angle or a rate alone is kept at zero, its
-/// terms do not tell.
+/// The rounding that a value may have in a state of this size. The terms of a value do not bound it
+/// if they consist of one angle or one rate that is kept at zero.
 fn reached(graph: &mut Graph, value: Id, coupling: Id, of_state: Id) -> Id {
     let size = summed_size(graph, value);
     let square = graph.multiply(coupling, of_state);

@@ -5,7 +5,7 @@ use crate::mechanics::Report;
 use crate::mechanics::answers::{Partial, Switch, derive_switches, list_partial, parts};
 use crate::mechanics::following::{takes_inertia, unknowns_in};
 use crate::mechanics::tree::link::{Link, Tree};
-use crate::mechanics::tree::{self, Built, Solved};
+use crate::mechanics::tree::{self, Built, SolvedTree};
 use crate::model::{Own, System, Tie, Workspace};
 use crate::symbolic::Id;
 
@@ -39,7 +39,7 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
         let motion = motion(system, work);
         let coordinates = coordinates(system, work, &built);
         let (accelerations, closed) = close(system, work, &built, (&motion, &coordinates));
-        let found = Solved {
+        let found = SolvedTree {
             accelerations,
             left_out: Vec::new(),
             reduced: built.tree.clone(),
@@ -181,22 +181,17 @@ fn described(tie: &Tie) -> String {
 /// The bodies and joints of a system, and the terms that do not appear in its equations.
 pub fn describe_system(system: &System, work: &Workspace, equations: &SystemEquations) -> Report {
     let name = |body: usize| format!("`{}`", system.bodies[body].name);
-    let joints = system.joints.iter().map(|joint| {
+    let joints = system.connections().enumerate().map(|(number, joint)| {
         let carrier = joint.carrier.map_or("the ground".to_owned(), name);
+        let (kind, carried) = (joint.kind.word, name(joint.carried));
+        let closes = if number < system.joints.len() {
+            ""
+        } else {
+            ", closes a loop"
+        };
         format!(
-            "`{}`: {} from {carrier} to {}",
-            joint.name,
-            joint.kind.word,
-            name(joint.carried)
-        )
-    });
-    let closings = system.closings.iter().map(|joint| {
-        let carrier = joint.carrier.map_or("the ground".to_owned(), name);
-        format!(
-            "`{}`: {} from {carrier} to {}, closes a loop",
-            joint.name,
-            joint.kind.word,
-            name(joint.carried)
+            "`{}`: {kind} from {carrier} to {carried}{closes}",
+            joint.name
         )
     });
     let mut skipped = equations.left_out.clone();
@@ -204,7 +199,7 @@ pub fn describe_system(system: &System, work: &Workspace, equations: &SystemEqua
         skipped
             .push("the weight of each body: the ground accelerates against it instead".to_owned());
     }
-    let mut lists = vec![("Joints", joints.chain(closings).collect())];
+    let mut lists = vec![("Joints", joints.collect())];
     for (heading, ties) in [("Links", &system.links), ("Cables", &system.cables)] {
         if !ties.is_empty() {
             lists.push((heading, ties.iter().map(described).collect()));

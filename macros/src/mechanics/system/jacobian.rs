@@ -9,7 +9,7 @@ use super::rates::rates;
 /// unit of that rate, world axes.
 pub type Jacobian = Vec<[Components; 2]>;
 
-/// Those of the requested points; rates in the order of the state.
+/// The Jacobians of the requested points; rates in the order of the state.
 pub fn derive_jacobians(system: &System, work: &mut Workspace) -> Vec<Jacobian> {
     let by: Vec<Id> = rates(system);
     let points = system.points.iter().map(|(body, offset)| {

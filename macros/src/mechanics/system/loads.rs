@@ -6,7 +6,7 @@ use proc_macro2::Ident;
 
 use crate::errors::Errors;
 use crate::mechanics::tree::link::Tree;
-use crate::mechanics::tree::{self, Pair};
+use crate::mechanics::tree::{self, SpatialVector};
 use crate::model::{AXES, System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Id, Undetermined};
 
@@ -116,7 +116,7 @@ fn loads(
     equations: &SystemEquations,
     tree: &Tree,
     accelerations: &[Vec<Id>],
-) -> Vec<Pair> {
+) -> Vec<SpatialVector> {
     let by_link = by_link(equations, tree, accelerations);
     tree::joint_loads(&mut work.graph, tree, &by_link)
 }
@@ -197,9 +197,8 @@ pub fn derive_system_open(
         parts.any(|part| !work.graph.vanishes(part))
     };
     let mut open = Vec::new();
-    let tree = system.joints.iter().map(|joint| &joint.name);
-    let joints = tree.chain(system.closings.iter().map(|joint| &joint.name));
-    for (number, name) in joints.enumerate() {
+    for (number, joint) in system.connections().enumerate() {
+        let name = &joint.name;
         for (part, word) in ["force", "moment"].into_iter().enumerate() {
             for (axis, letter) in AXES.into_iter().enumerate() {
                 if is_open(&|spare| spare.wrench(number)[part][axis]) {
@@ -237,14 +236,9 @@ fn named(
     joints: &[[Components; 2]],
     closings: &[[Components; 2]],
 ) -> Vec<(Ident, [Components; 2])> {
-    let joints = system.joints.iter().map(|joint| &joint.name).zip(joints);
-    let closings = system
-        .closings
-        .iter()
-        .map(|joint| &joint.name)
-        .zip(closings);
-    let all = joints.chain(closings);
-    all.map(|(name, wrench)| (name.clone(), *wrench)).collect()
+    let all = system.connections().zip(joints.iter().chain(closings));
+    all.map(|(joint, wrench)| (joint.name.clone(), *wrench))
+        .collect()
 }
 
 /// The loads along the freedoms whose motion is prescribed, joint by joint, minus the other known

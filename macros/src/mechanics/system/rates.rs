@@ -4,7 +4,7 @@ use crate::mechanics::tree::Built;
 use crate::model::{System, TreeJoint, Variable};
 use crate::symbolic::Id;
 
-/// Those of all joints that move.
+/// The rates of all moving joints.
 pub fn rates(system: &System) -> Vec<Id> {
     let joints = system.written.iter();
     joints

@@ -27,7 +27,7 @@ pub struct Response {
     values: HashMap<Id, Id>,
     /// The accelerations by the same matrix, in the order of the state.
     pub accelerations: Vec<Id>,
-    /// Of the freedoms, in the order of the state.
+    /// The indices of the freedoms, in the order of the state.
     order: Vec<usize>,
 }
 

@@ -2,7 +2,7 @@
 //! state.
 
 use crate::errors::{Errors, Extent};
-use crate::mechanics::answers::{Moving, Taylor, polynomials};
+use crate::mechanics::answers::{SeriesInput, Taylor, polynomials};
 use crate::model::{Own, System, Workspace};
 use crate::symbolic::{Coordinate, Id};
 
@@ -38,7 +38,7 @@ pub fn derive_system_taylor(
     }
     coordinates.extend(system.states.iter().map(Own::coordinate));
     let time = system.bodies.first().map(|body| body.state.time);
-    let moving = Moving {
+    let moving = SeriesInput {
         coordinates,
         polynomials: polynomials(time, &system.derivatives, work),
         loads: loads(system, work),

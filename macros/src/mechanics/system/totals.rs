@@ -44,10 +44,11 @@ pub fn derive_system_energy(system: &System, work: &mut Workspace) -> Energy {
     }
 }
 
-/// Of the whole, in world axes: linear, about its own G, and about the origin of the world.
+/// The momentum of the whole system, in world axes: linear, about its own G, and about the origin
+/// of the world.
 ///
-/// What turns about G is formed from positions and velocities relative to the first body: far from
-/// the origin it keeps its digits.
+/// The angular momentum about G is formed from positions and velocities relative to the first body,
+/// so it keeps its digits far from the origin.
 pub fn derive_system_momentum(system: &System, work: &mut Workspace) -> Momentum {
     let (mut mass, mut linear) = (work.graph.zero(), Vector::ZERO);
     let (mut first, mut drift) = (Vector::ZERO, Vector::ZERO);

@@ -5,8 +5,8 @@ use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
 use super::link::{Freedom, Link};
-use super::pair::{Along, Pair};
 use super::properties::Properties;
+use super::spatial_vector::{Along, SpatialVector};
 use super::turning::{Turning, transposed};
 
 type Rows = [Components; 3];
@@ -22,9 +22,9 @@ pub struct Articulated {
 /// The result of eliminating a joint coordinate: `q'' = drive - share . a`, for an acceleration a
 /// of the link without it.
 pub struct Eliminated {
-    pub twist: Pair,
+    pub twist: SpatialVector,
     pub drive: Id,
-    pub share: Pair,
+    pub share: SpatialVector,
     /// The inverse of the inertia along it.
     inverse: Id,
     /// The drive, minus the load of the motion without it.
@@ -83,14 +83,14 @@ impl Articulated {
         }
     }
 
-    pub fn times(&self, graph: &mut Graph, twist: &Pair) -> Pair {
+    pub fn times(&self, graph: &mut Graph, twist: &SpatialVector) -> SpatialVector {
         let of_angular = graph.transform(&self.angular, twist.angular);
         let of_linear = graph.transform(&self.mixed, twist.linear);
         let moment = graph.add_vectors(of_angular, of_linear);
         let of_angular = graph.transform(&transposed(&self.mixed), twist.angular);
         let of_linear = graph.transform(&self.linear, twist.linear);
         let force = graph.add_vectors(of_angular, of_linear);
-        Pair {
+        SpatialVector {
             angular: moment,
             linear: force,
         }
@@ -101,7 +101,7 @@ impl Articulated {
         &mut self,
         graph: &mut Graph,
         freedom: &Freedom,
-        lacking: &mut Pair,
+        lacking: &mut SpatialVector,
     ) -> Eliminated {
         let (twist, drive) = (freedom.twist, freedom.drive);
         // with an armature a part of the inertia along it remains
@@ -165,7 +165,13 @@ impl Articulated {
     }
 
     /// Along a freed coordinate there is no inertia left, and the load is the drive.
-    fn give_way(&mut self, graph: &Graph, along: Along, drive: Pair, lacking: &mut Pair) {
+    fn give_way(
+        &mut self,
+        graph: &Graph,
+        along: Along,
+        drive: SpatialVector,
+        lacking: &mut SpatialVector,
+    ) {
         let zero = graph.zero();
         match along {
             Along::Angular(axis) => {
@@ -235,12 +241,12 @@ fn skew(graph: &mut Graph, [x, y, z]: Components) -> Rows {
 }
 
 /// Moment and force about the origin of the link, about that of the carrier, in its axes.
-pub fn wrench_on_carrier(graph: &mut Graph, link: &Link, wrench: Pair) -> Pair {
+pub fn wrench_on_carrier(graph: &mut Graph, link: &Link, wrench: SpatialVector) -> SpatialVector {
     let moment = link.turning.to_carrier(graph, wrench.angular);
     let force = link.turning.to_carrier(graph, wrench.linear);
     let force = graph.quantities(force);
     let lever = graph.cross(link.place, force);
-    Pair {
+    SpatialVector {
         angular: graph.add_vectors(moment, lever),
         linear: force,
     }

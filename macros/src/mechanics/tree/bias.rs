@@ -4,22 +4,22 @@ use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
 use super::link::{Link, Tree};
-use super::pair::Pair;
 use super::properties::Properties;
+use super::spatial_vector::SpatialVector;
 
 /// The motion of a link, in its axes.
 #[derive(Clone, Copy)]
-pub struct Moving {
+pub struct LinkMotion {
     /// Angular velocity.
     pub w: Components,
     /// Angular acceleration, and acceleration of the origin minus that of free fall.
-    pub acceleration: Pair,
+    pub acceleration: SpatialVector,
     /// `[w']x + w w - w^2 1`: the contribution of an offset to the acceleration.
     pub sweep: [Components; 3],
 }
 
-impl Moving {
-    pub fn new(graph: &mut Graph, w: Components, acceleration: Pair) -> Self {
+impl LinkMotion {
+    pub fn new(graph: &mut Graph, w: Components, acceleration: SpatialVector) -> Self {
         Self {
             w,
             acceleration,
@@ -30,7 +30,7 @@ impl Moving {
     pub fn ground(graph: &mut Graph, gravity: Components) -> Self {
         Self {
             w: graph.zeros(),
-            acceleration: Pair {
+            acceleration: SpatialVector {
                 angular: graph.zeros(),
                 linear: graph.negate_vector(gravity),
             },
@@ -41,13 +41,13 @@ impl Moving {
     /// The motion of a link on a carrier with this motion.
     pub fn carried(&self, graph: &mut Graph, link: &Link) -> Self {
         let zeros = graph.zeros();
-        let sum = |graph: &mut Graph, part: fn(&Pair) -> Components| {
+        let sum = |graph: &mut Graph, part: fn(&SpatialVector) -> Components| {
             link.freedoms.iter().fold(zeros, |sum, freedom| {
                 let scaled = graph.scale_vector(freedom.rate, part(&freedom.twist));
                 graph.add_vectors(sum, scaled)
             })
         };
-        let mut given = Pair::zero(graph);
+        let mut given = SpatialVector::zero(graph);
         for freedom in &link.freedoms {
             if let Some(rate) = freedom.given {
                 let made = freedom.twist.scaled(graph, rate);
@@ -78,7 +78,7 @@ impl Moving {
             graph.add_vectors(origin, given.linear)
         };
         let linear = graph.quantities(linear);
-        Self::new(graph, w, Pair { angular, linear })
+        Self::new(graph, w, SpatialVector { angular, linear })
     }
 
     /// The same if the coordinates of the link accelerate; for a free link they are given
@@ -100,7 +100,7 @@ impl Moving {
 
     /// The moment and the force of this motion, about the origin: linear in mass, first moment
     /// and inertia.
-    pub fn taken_by(&self, graph: &mut Graph, properties: &Properties) -> Pair {
+    pub fn taken_by(&self, graph: &mut Graph, properties: &Properties) -> SpatialVector {
         let (h, rows, a) = (
             properties.first,
             &properties.inertia,
@@ -112,7 +112,7 @@ impl Moving {
         let turned = self.moment(graph, rows);
         let lever = graph.cross(h, a);
         let moment = graph.add_vectors(turned, lever);
-        Pair {
+        SpatialVector {
             angular: moment,
             linear: force,
         }
@@ -164,9 +164,13 @@ fn sweep(graph: &mut Graph, w: Components, alpha: Components) -> [Components; 3]
 
 /// The motion of all links without accelerations of joints, and the missing moment and force about
 /// the origin of each.
-pub fn derive_bias(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Vec<(Moving, Pair)> {
-    let ground = Moving::ground(graph, tree.gravity);
-    let mut all: Vec<(Moving, Pair)> = Vec::new();
+pub fn derive_bias(
+    graph: &mut Graph,
+    labels: &mut Labels,
+    tree: &Tree,
+) -> Vec<(LinkMotion, SpatialVector)> {
+    let ground = LinkMotion::ground(graph, tree.gravity);
+    let mut all: Vec<(LinkMotion, SpatialVector)> = Vec::new();
     for link in &tree.links {
         let carrier = link.carrier.map_or(ground, |carrier| all[carrier].0);
         let moving = carrier.carried(graph, link);

@@ -1,12 +1,13 @@
 //! From the bodies and joints of a system to the links of a tree.
 
+use crate::families::LoadKind;
 use crate::mechanics::balances::{moments_about, resultant};
 use crate::model::{Load, Member, Part, Point, Rates, System, TreeJoint, Variable, Workspace};
 use crate::symbolic::{Components, Function, Id};
 
 use super::link::{Freedom, Link, Tree};
-use super::pair::Pair;
 use super::properties::Properties;
+use super::spatial_vector::SpatialVector;
 use super::turning::Turning;
 
 /// A tree, and the links of each joint: the last one is the body.
@@ -110,7 +111,7 @@ impl Making<'_> {
             match part {
                 Part::Turn(number) => {
                     let direction = joint.directions[number];
-                    let twist = Pair::about(&self.work.graph, direction);
+                    let twist = SpatialVector::about(&self.work.graph, direction);
                     self.hinge(direction, twist, coordinate, first);
                 }
                 Part::Slide(number) => self.slide(joint.directions[number], coordinate, first),
@@ -150,7 +151,7 @@ impl Making<'_> {
         let graph = &mut self.work.graph;
         let step = graph.scale_vector(distance, direction);
         self.place = graph.add_vectors(self.place, step);
-        let twist = Pair::along(graph, direction);
+        let twist = SpatialVector::along(graph, direction);
         let freedom = self.freedom(twist, rate, number);
         self.link(Turning::Parallel, vec![freedom]);
     }
@@ -162,7 +163,7 @@ impl Making<'_> {
         let along = graph.scale_vector(pitch, direction);
         let step = graph.scale_vector(angle, along);
         self.place = graph.add_vectors(self.place, step);
-        let twist = Pair {
+        let twist = SpatialVector {
             angular: direction,
             linear: along,
         };
@@ -177,7 +178,7 @@ impl Making<'_> {
         let turning = quaternion_turning(self.work, quaternion);
         let rates = [0, 1, 2].map(|axis| get(Variable::AngularVelocity, axis));
         let freedoms = (0..3).map(|axis| {
-            let twist = Pair::about(&self.work.graph, units[axis]);
+            let twist = SpatialVector::about(&self.work.graph, units[axis]);
             self.freedom(twist, rates[axis], first + axis)
         });
         let freedoms = freedoms.collect();
@@ -192,13 +193,12 @@ impl Making<'_> {
         let linear = if is_planar { 2 } else { 3 };
         let mut freedoms: Vec<Freedom> = (0..linear)
             .map(|axis| {
-                let twist = Pair::along(&self.work.graph, units[axis]);
+                let twist = SpatialVector::along(&self.work.graph, units[axis]);
                 self.freedom(twist, get(Variable::Velocity, axis), first + axis)
             })
             .collect();
-        let axes = if is_planar { 2..3 } else { 0..3 };
-        for (part, axis) in axes.enumerate() {
-            let twist = Pair::about(&self.work.graph, units[axis]);
+        for (part, axis) in LoadKind::Moment.axes(is_planar).enumerate() {
+            let twist = SpatialVector::about(&self.work.graph, units[axis]);
             let rate = get(Variable::AngularVelocity, part);
             freedoms.push(self.freedom(twist, rate, first + linear + part));
         }
@@ -213,7 +213,13 @@ impl Making<'_> {
     }
 
     /// A link that rotates about a direction.
-    fn hinge(&mut self, direction: Components, twist: Pair, coordinate: usize, number: usize) {
+    fn hinge(
+        &mut self,
+        direction: Components,
+        twist: SpatialVector,
+        coordinate: usize,
+        number: usize,
+    ) {
         let angle = self.get(Variable::Angle, coordinate);
         let rate = self.get(Variable::AngularVelocity, coordinate);
         let graph = &mut self.work.graph;
@@ -230,7 +236,7 @@ impl Making<'_> {
     }
 
     /// The joint coordinate with this index.
-    fn freedom(&self, twist: Pair, rate: Id, number: usize) -> Freedom {
+    fn freedom(&self, twist: SpatialVector, rate: Id, number: usize) -> Freedom {
         Freedom {
             twist,
             rate,

@@ -4,14 +4,14 @@
 use crate::symbolic::{Graph, Id};
 
 use super::articulated::wrench_on_carrier;
-use super::bias::Moving;
+use super::bias::LinkMotion;
 use super::link::{Freedom, Link, Tree};
-use super::pair::{Along, Pair};
+use super::spatial_vector::{Along, SpatialVector};
 
 /// The motions of all links, for these accelerations of the coordinates, link by link.
-pub fn motions(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<Moving> {
-    let ground = Moving::ground(graph, tree.gravity);
-    let mut motions: Vec<Moving> = Vec::new();
+pub fn motions(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<LinkMotion> {
+    let ground = LinkMotion::ground(graph, tree.gravity);
+    let mut motions: Vec<LinkMotion> = Vec::new();
     for (link, rates) in tree.links.iter().zip(accelerations) {
         let carrier = link.carrier.map_or(ground, |carrier| motions[carrier]);
         let moving = carrier.carried(graph, link);
@@ -22,7 +22,11 @@ pub fn motions(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec
 
 /// The force and the moment of each joint on the carried body, about the origin of the link, in its
 /// axes, in the actual motion: along the coordinates they are the drives.
-pub fn joint_loads(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<Pair> {
+pub fn joint_loads(
+    graph: &mut Graph,
+    tree: &Tree,
+    accelerations: &[Vec<Id>],
+) -> Vec<SpatialVector> {
     loads(graph, tree, accelerations, driven)
 }
 
@@ -31,15 +35,15 @@ fn loads(
     graph: &mut Graph,
     tree: &Tree,
     accelerations: &[Vec<Id>],
-    known: impl Fn(&mut Graph, &Link, &[Id], Pair) -> Pair,
-) -> Vec<Pair> {
+    known: impl Fn(&mut Graph, &Link, &[Id], SpatialVector) -> SpatialVector,
+) -> Vec<SpatialVector> {
     let motions = motions(graph, tree, accelerations);
     let links = tree.links.iter().zip(&motions);
     let taken = links.map(|(link, moving)| {
         let taken = moving.taken_by(graph, &link.properties);
         taken.minus(graph, link.load())
     });
-    let mut loads: Vec<Pair> = taken.collect();
+    let mut loads: Vec<SpatialVector> = taken.collect();
     for (index, link) in tree.links.iter().enumerate().rev() {
         let load = known(graph, link, &accelerations[index], loads[index]);
         loads[index] = load.quantities(graph);
@@ -52,7 +56,12 @@ fn loads(
 }
 
 /// A load whose components along open coordinates are their drives.
-fn driven(graph: &mut Graph, link: &Link, accelerations: &[Id], mut load: Pair) -> Pair {
+fn driven(
+    graph: &mut Graph,
+    link: &Link,
+    accelerations: &[Id],
+    mut load: SpatialVector,
+) -> SpatialVector {
     if link.is_free {
         return load;
     }
@@ -82,7 +91,7 @@ pub fn lacking(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec
 }
 
 /// The missing load along a coordinate whose joint carries a load, for this acceleration of it.
-pub fn lacks(graph: &mut Graph, freedom: &Freedom, load: Pair, acceleration: Id) -> Id {
+pub fn lacks(graph: &mut Graph, freedom: &Freedom, load: SpatialVector, acceleration: Id) -> Id {
     let carried = freedom.twist.dot(graph, load);
     let own = graph.multiply(freedom.armature, acceleration);
     let needed = graph.add(carried, own);
@@ -90,8 +99,8 @@ pub fn lacks(graph: &mut Graph, freedom: &Freedom, load: Pair, acceleration: Id)
 }
 
 /// The contribution of a load on a link to each open coordinate, link by link.
-pub fn along_freedoms(graph: &mut Graph, tree: &Tree, link: usize, load: Pair) -> Vec<Id> {
-    let mut loads: Vec<Option<Pair>> = vec![None; tree.links.len()];
+pub fn along_freedoms(graph: &mut Graph, tree: &Tree, link: usize, load: SpatialVector) -> Vec<Id> {
+    let mut loads: Vec<Option<SpatialVector>> = vec![None; tree.links.len()];
     loads[link] = Some(load);
     let mut at = link;
     while let (Some(carrier), Some(load)) = (tree.links[at].carrier, loads[at]) {
@@ -109,12 +118,17 @@ pub fn along_freedoms(graph: &mut Graph, tree: &Tree, link: usize, load: Pair) -
 }
 
 /// In world axes.
-pub fn in_world(graph: &mut Graph, links: &[Link], index: usize, load: Pair) -> Pair {
+pub fn in_world(
+    graph: &mut Graph,
+    links: &[Link],
+    index: usize,
+    load: SpatialVector,
+) -> SpatialVector {
     let mut turned = load;
     let mut at = Some(index);
     while let Some(index) = at {
         let link = &links[index];
-        turned = Pair {
+        turned = SpatialVector {
             angular: link.turning.to_carrier(graph, turned.angular),
             linear: link.turning.to_carrier(graph, turned.linear),
         }

@@ -2,8 +2,8 @@
 
 use crate::symbolic::{Components, Graph, Id};
 
-use super::pair::Pair;
 use super::properties::Properties;
+use super::spatial_vector::SpatialVector;
 use super::turning::Turning;
 
 /// Bodies, each carried by one before it or by the ground.
@@ -40,7 +40,7 @@ pub struct Link {
 #[derive(Clone, PartialEq)]
 pub struct Freedom {
     /// The motion of unit rate, in the axes of the link, about its origin.
-    pub twist: Pair,
+    pub twist: SpatialVector,
     /// The rate of its coordinate.
     pub rate: Id,
     /// The inertia along it alone, as of a geared rotor: it takes a separate load to accelerate,
@@ -54,7 +54,7 @@ pub struct Freedom {
 }
 
 impl Tree {
-    /// What there is of each open freedom, link by link.
+    /// Items of open freedoms, link by link.
     pub fn by_link<T>(&self, of_freedoms: impl IntoIterator<Item = T>) -> Vec<Vec<T>> {
         let mut rest = of_freedoms.into_iter();
         let links = self.links.iter();
@@ -94,8 +94,8 @@ impl Link {
     }
 
     /// The loads on it except gravity.
-    pub fn load(&self) -> Pair {
-        Pair {
+    pub fn load(&self) -> SpatialVector {
+        SpatialVector {
             angular: self.moment,
             linear: self.force,
         }

@@ -8,7 +8,7 @@ use crate::symbolic::{Graph, Id};
 use super::articulated::{Articulated, wrench_on_carrier};
 use super::bias::derive_bias;
 use super::link::{Link, Tree};
-use super::pair::Pair;
+use super::spatial_vector::SpatialVector;
 
 /// `M q'' = drives - bias`, a row and a column for each coordinate, link by link.
 pub struct MassMatrix {
@@ -23,7 +23,7 @@ impl MassMatrix {
         let links = &tree.links;
         let bias = derive_bias(graph, labels, tree);
         let mut composite: Vec<Articulated> = Vec::new();
-        let mut lacking: Vec<Pair> = Vec::new();
+        let mut lacking: Vec<SpatialVector> = Vec::new();
         for (link, (_, own)) in links.iter().zip(&bias) {
             composite.push(Articulated::of(graph, &link.properties));
             lacking.push(*own);

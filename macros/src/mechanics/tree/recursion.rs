@@ -7,16 +7,16 @@ use super::articulated::{Articulated, Eliminated, wrench_on_carrier};
 use super::bias::derive_bias;
 use super::link::{Link, Tree};
 use super::mass_matrix::MassMatrix;
-use super::pair::Pair;
 use super::reductions::{drop_frames, merge_welds, reduced};
 use super::regrouping::left_out;
+use super::spatial_vector::SpatialVector;
 
 /// The accelerations of the coordinates, link by link in their order; for a free
 /// link, those of its origin along world axes first.
 pub struct Accelerations(Vec<Vec<Id>>);
 
 /// The accelerations of all joints, and the terms that do not appear in them.
-pub struct Solved {
+pub struct SolvedTree {
     pub accelerations: Vec<Vec<Id>>,
     pub left_out: Vec<String>,
     /// The tree in the form with the fewest operations.
@@ -24,7 +24,7 @@ pub struct Solved {
 }
 
 /// Solves for the accelerations of all joints, and names their parts.
-pub fn derive_tree(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Solved {
+pub fn derive_tree(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> SolvedTree {
     let mut tree = tree.clone();
     drop_frames(graph, &mut tree);
     merge_welds(graph, &mut tree);
@@ -32,7 +32,7 @@ pub fn derive_tree(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Solve
         let found = solve(graph, &mut Labels::silent(), tree);
         cost(graph, &found)
     });
-    Solved {
+    SolvedTree {
         accelerations: solve(graph, labels, &best).0,
         left_out: left_out(graph, &tree, &best),
         reduced: best,
@@ -79,7 +79,7 @@ impl Accelerations {
 fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Accelerations {
     let bias = derive_bias(graph, labels, tree);
     let mut inertia: Vec<Articulated> = Vec::new();
-    let mut lacking: Vec<Pair> = Vec::new();
+    let mut lacking: Vec<SpatialVector> = Vec::new();
     for (link, (_, own)) in tree.links.iter().zip(&bias) {
         inertia.push(Articulated::of(graph, &link.properties));
         lacking.push(*own);
@@ -117,12 +117,12 @@ fn outwards(
     tree: &Tree,
     eliminated: &[Vec<Eliminated>],
 ) -> Accelerations {
-    let mut moving: Vec<Pair> = Vec::new();
+    let mut moving: Vec<SpatialVector> = Vec::new();
     let mut all = Vec::new();
     for (link, gone) in tree.links.iter().zip(eliminated) {
         let mut acceleration = match link.carrier {
             Some(carrier) => acceleration_at(graph, link, moving[carrier]),
-            None => Pair::zero(graph),
+            None => SpatialVector::zero(graph),
         };
         let mut found = Vec::new();
         for freedom in gone.iter().rev() {
@@ -153,11 +153,11 @@ fn outwards(
 }
 
 /// The contribution of the carrier's acceleration at the origin of the link, in its axes.
-fn acceleration_at(graph: &mut Graph, link: &Link, carrier: Pair) -> Pair {
+fn acceleration_at(graph: &mut Graph, link: &Link, carrier: SpatialVector) -> SpatialVector {
     let swept = graph.cross(carrier.angular, link.place);
     let linear = graph.add_vectors(carrier.linear, swept);
     let linear = graph.quantities(linear);
-    Pair {
+    SpatialVector {
         angular: link.turning.to_link(graph, carrier.angular),
         linear: link.turning.to_link(graph, linear),
     }

@@ -5,9 +5,9 @@
 use crate::symbolic::{Graph, Id};
 
 use super::link::Tree;
-use super::pair::Along;
 use super::properties::Properties;
 use super::regrouping::{keep_axes, regroup};
+use super::spatial_vector::Along;
 use super::turning::Turning;
 
 /// The limit of operations of all trees that are tried together, so that many bodies
@@ -24,7 +24,7 @@ struct Choice {
     slides: Vec<Option<usize>>,
     /// The links that are written in the axes of their carriers.
     borrows: Vec<bool>,
-    /// Which of the two moments across the axis of each hinge is eliminated.
+    /// For each hinge, the index of the moment across its axis that is eliminated.
     sides: Vec<usize>,
 }
 
@@ -84,7 +84,7 @@ struct Search<'a, C> {
 }
 
 impl<C: Fn(&mut Graph, &Tree) -> u32> Search<'_, C> {
-    /// Changes one link after another, or several equal ones, as long as that helps, and until
+    /// Changes one link after another, or several equal ones, while that helps, and until
     /// this many operations are tried.
     fn descend(&mut self, graph: &mut Graph, alike: &[Vec<usize>], most: u32) {
         loop {

@@ -3,8 +3,8 @@
 use crate::symbolic::Graph;
 
 use super::link::{Freedom, Link, Tree};
-use super::pair::Along;
 use super::properties::Properties;
+use super::spatial_vector::Along;
 use super::turning::Turning;
 
 impl Properties {

@@ -219,7 +219,7 @@ fn about(graph: &mut Graph, axis: usize, cosine: Id, sine: Id, v: Components) ->
     turned
 }
 
-/// The block across the axis of what is turned about it.
+/// The block across the axis of a matrix that is rotated about it.
 fn block(
     graph: &mut Graph,
     [cosine, sine]: [Id; 2],

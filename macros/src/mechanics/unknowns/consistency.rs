@@ -104,7 +104,7 @@ pub struct Reach {
     pub velocity: Id,
 }
 
-/// Of each constraint.
+/// The bounds of each constraint.
 pub fn derive_reach(
     model: &Model,
     work: &mut Workspace,

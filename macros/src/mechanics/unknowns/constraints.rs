@@ -26,7 +26,7 @@ use super::solvability::{OF_REACTIONS, check_across, check_determined};
 use super::unit::{assemble, name_values, named_result, names};
 
 /// The motion under constraints.
-pub struct Solved {
+pub struct ConstrainedMotion {
     pub accelerations: Pair,
     pub form: Option<EulerForm>,
     pub constraints: Vec<Constrained>,
@@ -38,7 +38,7 @@ pub fn derive_constrained(
     model: &Model,
     work: &mut Workspace,
     errors: &mut Errors,
-) -> Option<Solved> {
+) -> Option<ConstrainedMotion> {
     let constraints = differentiate(model, work);
     check_independent(work, &constraints, errors)?;
     let pushes = pushes(model, work);
@@ -50,13 +50,8 @@ pub fn derive_constrained(
     if let Some(axis) = model.state.axis {
         rod::check_loads(model, work, &loads, axis, errors)?;
     }
-    let (free, form) = solve_balances(
-        model,
-        work,
-        &loads,
-        Vec::new(),
-        Some(["free", "free_angular"]),
-    );
+    let names_of_free = Some(["free", "free_angular"]);
+    let (free, form) = solve_balances(model, work, &loads, Vec::new(), names_of_free);
     let mut rows = Vec::new();
     for constraint in &constraints {
         rows.push(constraint_row(work, constraint, &pushes, free));
@@ -66,10 +61,7 @@ pub fn derive_constrained(
     let mut system = equations(work, rows);
     for (equation, constraint) in system.iter_mut().zip(&constraints) {
         equation.active = active(work, &constraint.rates.factors.entries());
-        let sizes = pushes.iter();
-        equation.sizes = sizes
-            .map(|push| size(model, work, constraint, push))
-            .collect();
+        equation.sizes = sizes(model, work, constraint, &pushes);
     }
     let elimination = work.graph.solve(system, pushes.len());
     let left: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
@@ -90,7 +82,7 @@ pub fn derive_constrained(
         let whole = assemble(work, reaction, solved);
         named_result(work, reaction, whole, Frame::WORLD)
     });
-    Some(Solved {
+    Some(ConstrainedMotion {
         accelerations: Pair { linear, angular },
         form,
         reactions: reactions.collect(),
@@ -166,6 +158,18 @@ fn rows_left(
         }
     }
     Some(rows)
+}
+
+fn sizes(
+    model: &Model,
+    work: &mut Workspace,
+    constraint: &Constrained,
+    pushes: &[Push<'_>],
+) -> Vec<Size> {
+    let pushes = pushes.iter();
+    pushes
+        .map(|push| size(model, work, constraint, push))
+        .collect()
 }
 
 /// `A . D` is the product of a gradient and a load in the metric of the kinetic energy. If the load

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! sum of u_j w_j + b = 0      w_j: force and moment of one unit of the unknown j;
-//!                             b: what is left without them
+//!                             b: the remainder without them
 //! ```
 //!
 //! If there are as many balances as unknowns, along axes in which no other unknown appears, they
@@ -23,7 +23,7 @@ use crate::symbolic::{Equation, Id, Size};
 use super::inertial::{balances_of, balances_without_unknowns};
 use super::left_over::balances_left;
 use super::pushes::{known_loads, pushes};
-use super::rows::{Row, equations};
+use super::rows::{BalanceRow, equations};
 use super::solvability::{OF_DRIVES, check_across, check_determined};
 use super::unit::{Unit, assemble, name_values, names};
 
@@ -32,7 +32,7 @@ use super::unit::{Unit, assemble, name_values, names};
 pub fn solve_drives(
     model: &Model,
     work: &mut Workspace,
-    free: &[Row],
+    free: &[BalanceRow],
     accelerations: Pair,
     errors: &mut Errors,
 ) -> Option<Vec<Vector>> {
@@ -80,7 +80,7 @@ pub fn solve_drives(
 fn as_many(
     model: &Model,
     work: &mut Workspace,
-    rows: &[Row],
+    rows: &[BalanceRow],
     units: &[Unit<'_>],
     rest: (Vector, Vector),
 ) -> Option<Vec<Equation>> {
@@ -108,7 +108,7 @@ fn as_many(
 /// The balances in which unknowns appear, of forces and of moments in these axes.
 fn balances(
     work: &mut Workspace,
-    rows: &[Row],
+    rows: &[BalanceRow],
     units: &[Unit<'_>],
     rest: (Vector, Vector),
     frames: (Frame, Frame),
@@ -128,7 +128,7 @@ fn balances(
 fn nearest(
     model: &Model,
     work: &mut Workspace,
-    held: &[Row],
+    held: &[BalanceRow],
     units: &[Unit<'_>],
     rest: (Vector, Vector),
 ) -> Vec<Equation> {

@@ -16,7 +16,7 @@ use super::drives::solve_drives;
 use super::inertial::acceleration_symbols;
 use super::left_over::balances_left;
 use super::reactions::solve_unknowns;
-use super::rows::{Row, Unmoved};
+use super::rows::{BalanceRow, Unmoved};
 use super::solvability::check_supports;
 use super::unit::named_result;
 
@@ -45,7 +45,7 @@ pub fn derive_inverse(
 fn solve(
     model: &Model,
     work: &mut Workspace,
-    free: &[Row],
+    free: &[BalanceRow],
     motion: Pair,
     errors: &mut Errors,
 ) -> Option<Vec<Vector>> {
@@ -69,9 +69,10 @@ fn solve(
 }
 
 /// The balances along the free directions of the body.
-fn free_balances(model: &Model, work: &mut Workspace) -> Vec<Row> {
+fn free_balances(model: &Model, work: &mut Workspace) -> Vec<BalanceRow> {
     let units = work.graph.unit_vectors();
-    let along = |kind: LoadKind, direction: Components| Row::new("the balances", kind, direction);
+    let along =
+        |kind: LoadKind, direction: Components| BalanceRow::new("the balances", kind, direction);
     let mut rows = Vec::new();
     let linear = model.motion.linear_axes();
     rows.extend(linear.map(|axis| along(LoadKind::Force, units[axis])));

@@ -4,7 +4,7 @@ use crate::families::LoadKind;
 use crate::model::{Model, Workspace};
 use crate::symbolic::Components;
 
-use super::rows::Row;
+use super::rows::BalanceRow;
 
 const FORCES: [&str; 3] = [
     "the forces along x",
@@ -18,10 +18,10 @@ const MOMENTS: [&str; 3] = [
 ];
 
 /// The balances that do not determine the accelerations.
-pub fn balances_left(model: &Model, work: &mut Workspace) -> Vec<Row> {
+pub fn balances_left(model: &Model, work: &mut Workspace) -> Vec<BalanceRow> {
     let units = work.graph.unit_vectors();
     let row = |names: [&'static str; 3], kind: LoadKind| {
-        move |axis: usize| Row::new(names[axis], kind, units[axis])
+        move |axis: usize| BalanceRow::new(names[axis], kind, units[axis])
     };
     let mut rows = Vec::new();
     if !model.motion.translates() {
@@ -33,7 +33,7 @@ pub fn balances_left(model: &Model, work: &mut Workspace) -> Vec<Row> {
         rows.extend(axes.map(row(MOMENTS, LoadKind::Moment)));
     } else if let (false, Some(d)) = (model.motion.is_planar, model.hinge(&mut work.graph)) {
         let rows_across = across(work, d);
-        rows.extend(rows_across.map(|(name, d)| Row::new(name, LoadKind::Moment, d)));
+        rows.extend(rows_across.map(|(name, d)| BalanceRow::new(name, LoadKind::Moment, d)));
     }
     rows
 }

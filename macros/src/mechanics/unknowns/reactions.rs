@@ -18,7 +18,7 @@ use crate::symbolic::Components;
 
 use super::inertial::balances_without_unknowns;
 use super::left_over::balances_left;
-use super::rows::{Row, Solved, Unmoved, equations};
+use super::rows::{BalanceRow, SolvedBalances, Unmoved, equations};
 use super::solvability::{check_balanced, check_supports, check_workless};
 use super::unit::{Unit, named_result};
 
@@ -59,10 +59,10 @@ pub fn solve_unknowns<'m>(
     model: &Model,
     work: &mut Workspace,
     loads: &[&'m Reaction],
-    mut rows: Vec<Row>,
+    mut rows: Vec<BalanceRow>,
     accelerations: Pair,
     unmoved: Unmoved,
-) -> Result<Solved<'m>, Extent> {
+) -> Result<SolvedBalances<'m>, Extent> {
     let frame = choose_frame(model, work, loads)?;
     let units = Unit::list(model, work, loads.iter().copied(), Some(frame));
     let rest = balances_without_unknowns(model, work, accelerations);
@@ -80,7 +80,7 @@ pub fn solve_unknowns<'m>(
     let is_constant = coefficients.all(|id| work.graph.is_early(*id));
     let system = equations(work, system);
     let elimination = work.graph.solve(system, units.len());
-    Ok(Solved {
+    Ok(SolvedBalances {
         units,
         rows,
         elimination,

@@ -9,14 +9,14 @@ use super::unit::{Unit, assemble};
 
 /// A remaining row of the balances.
 #[derive(Clone)]
-pub struct Row {
+pub struct BalanceRow {
     pub name: &'static str,
-    /// Of a force or of a moment, from the components of the resultants.
+    /// Whether it is a balance of forces or of moments.
     pub kind: LoadKind,
     pub direction: Components,
 }
 
-impl Row {
+impl BalanceRow {
     pub fn new(name: &'static str, kind: LoadKind, direction: Components) -> Self {
         Self {
             name,
@@ -57,15 +57,15 @@ pub enum Unmoved {
 }
 
 /// The equations of the balances for the unknowns.
-pub struct Solved<'m> {
+pub struct SolvedBalances<'m> {
     pub units: Vec<Unit<'m>>,
-    pub rows: Vec<Row>,
+    pub rows: Vec<BalanceRow>,
     pub elimination: Elimination,
     /// Whether the coefficients are known before the state is.
     pub is_constant: bool,
 }
 
-impl Solved<'_> {
+impl SolvedBalances<'_> {
     /// A load, with its known part and its solved part.
     pub fn load(&self, work: &mut Workspace, load: &Reaction) -> Vector {
         let values = self.elimination.values.iter();
@@ -74,7 +74,7 @@ impl Solved<'_> {
     }
 
     /// The balances in which no unknown appears, and which do not hold by themselves.
-    pub fn unbalanced(&self, work: &Workspace) -> impl Iterator<Item = &Row> {
+    pub fn unbalanced(&self, work: &Workspace) -> impl Iterator<Item = &BalanceRow> {
         let spare = self.elimination.spare.iter();
         let unmet = spare.filter(|(_, right)| !work.graph.is_zero(*right));
         unmet.map(|(row, _)| &self.rows[*row])

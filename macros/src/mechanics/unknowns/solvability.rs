@@ -6,7 +6,7 @@ use crate::mechanics::balances::{arm, not_vanishing, parts_along};
 use crate::model::{Axis, Model, Reaction, Workspace};
 use crate::symbolic::{Elimination, Number, Undetermined};
 
-use super::rows::Solved;
+use super::rows::SolvedBalances;
 use super::unit::{Unit, names};
 
 /// Along the free directions of the body, a reaction would be a drive: the
@@ -108,7 +108,7 @@ pub const OF_DRIVES: Advice = Advice {
 pub fn check_supports(
     model: &Model,
     work: &Workspace,
-    solved: &Solved<'_>,
+    solved: &SolvedBalances<'_>,
     errors: &mut Errors,
 ) -> Option<()> {
     let advice = |column: usize| {
@@ -188,7 +188,11 @@ fn combination(terms: &[(&Number, &str)]) -> String {
 }
 
 /// Balances that nothing can meet are reported on the first unknown.
-pub fn check_balanced(work: &Workspace, solved: &Solved<'_>, errors: &mut Errors) -> Option<()> {
+pub fn check_balanced(
+    work: &Workspace,
+    solved: &SolvedBalances<'_>,
+    errors: &mut Errors,
+) -> Option<()> {
     for row in solved.unbalanced(work) {
         let place = solved.units.first().map(|unit| unit.place)?;
         let name = row.name;

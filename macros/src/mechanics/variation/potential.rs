@@ -116,7 +116,7 @@ pub fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
             continue;
         }
         let Some(number) = body_of(form, turn) else {
-            // into axes that are held: what was turned may depend on the place all the same
+            // into axes that are held: the vector may still depend on the place
             slopes.pass_on(work, turn, slope);
             continue;
         };
@@ -202,7 +202,7 @@ fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
             symbols.extend(work.attitude(displaced.body).coordinates());
         }
     }
-    // each vector is made of those that were turned before it
+    // each vector contains only vectors that were turned before it
     for turn in &form.turns {
         let moves = |id: Id| symbols.contains(&id);
         if body_of(form, turn).is_some() || work.graph.depends_on(&turn.vector, moves) {

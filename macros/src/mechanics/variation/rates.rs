@@ -12,9 +12,9 @@ use super::slopes::Slopes;
 
 /// The derivative of an expression in time; inputs are held, unless they move.
 pub struct Rates {
-    /// What does not depend on the accelerations.
+    /// The part that does not depend on the accelerations.
     pub rate: Id,
-    /// Of the accelerations; of a rod, of that without spin.
+    /// The factors of the accelerations; for a rod, of the acceleration without spin.
     pub factors: Pair,
 }
 

@@ -1,8 +1,8 @@
-//! Slopes: by how much an expression changes in any direction of the space of states.
+//! Slopes: the change of an expression along any direction of the space of states.
 //!
-//! The chain rule, backwards, gives all of them: from the expression down to its leaves, the
-//! symbols of the state and vectors that were turned from one axes to the others. These are taken
-//! as vectors, whatever their rotation is made of; as the body turns by phi,
+//! The chain rule, backwards, gives all of them: from the expression down to its leaves, which are
+//! the symbols of the state and rotated vectors. The latter count as vectors, whatever their
+//! rotation depends on; as the body turns by phi,
 //!
 //! ```text
 //! u = R v:      p . u' = R^T p . (v' + phi x v)          phi and v in body axes
@@ -19,7 +19,7 @@ use super::leaves::Leaves;
 
 /// The slopes of an expression.
 pub struct Slopes {
-    /// What is not looked into.
+    /// Expressions that count as variables.
     leaves: HashSet<Id>,
     by_leaf: HashMap<Id, Id>,
     by_turned: Vec<(Turn, Components)>,
@@ -32,7 +32,7 @@ impl Slopes {
         Self::of_leaves(work, value, leaves)
     }
 
-    /// Along all that it is made of.
+    /// The slopes of a value along all of its leaves.
     pub fn of_leaves(work: &mut Workspace, value: Id, leaves: Leaves) -> Self {
         let Leaves { symbols, turns } = leaves;
         let turned = turns.iter().flat_map(|turn| turn.turned);
@@ -68,7 +68,7 @@ impl Slopes {
         }
     }
 
-    /// The slope along a turned vector, which all that is made of it has been passed on to.
+    /// The slope along a turned vector, once all vectors that contain it are passed on.
     pub fn take(&mut self, work: &Workspace, turn: &Turn) -> Components {
         let mut slope = self.by(work, turn.turned);
         // components that are equal are one leaf
@@ -81,9 +81,9 @@ impl Slopes {
         slope
     }
 
-    /// From a turned vector to what it was made of.
+    /// Passes the slope along a turned vector on to its components.
     pub fn pass_on(&mut self, work: &mut Workspace, turn: &Turn, slope: Components) {
-        // what was turned before is a leaf, too
+        // a vector that was turned before is a leaf, too
         let is_leaf = |id: &Id| self.leaves.contains(id);
         let reached = work.graph.reachable(&turn.vector, |id| !is_leaf(&id));
         if reached.iter().any(is_leaf) {
@@ -104,7 +104,7 @@ impl Slopes {
         known.unwrap_or(work.graph.zero())
     }
 
-    /// Along the components of what the state is told by.
+    /// The slopes along the components of a variable of the state.
     pub fn by_variable(&self, work: &Workspace, body: Frame, variable: Variable) -> Components {
         let symbol = |i: usize| work.symbol_of(Meaning::Of(body, variable, i));
         let symbols = [0, 1, 2].map(|i| symbol(i).unwrap_or(work.graph.zero()));
@@ -130,7 +130,7 @@ impl Slopes {
     }
 }
 
-/// What of the change of a turned vector is due to the turn of the body.
+/// The part of the change of a turned vector that is due to the rotation of the body.
 fn along_turned(work: &mut Workspace, phi: Components, turn: &Turn, slope: Components) -> Id {
     let is_outwards = work.turned_frame(turn) == turn.from;
     let (swept, by) = match (is_outwards, work.attitude(turn.from)) {

@@ -1,8 +1,8 @@
 //! The moment `r x g` of a slope g along a turned vector r.
 //!
-//! What of g is along r is left out before they are multiplied: only rounding would keep it, the
-//! more the farther r reaches. The force of a spring to a far hook is `s (c r + b)`, and b its arm;
-//! that of several springs is a sum of such terms.
+//! The part of g along r is left out before the multiplication: only its rounding would remain, and
+//! would grow with the length of r. The force of a spring to a far hook is `s (c r + b)`, and b its
+//! arm; that of several springs is a sum of such terms.
 
 use std::collections::HashSet;
 
@@ -39,7 +39,7 @@ fn across(graph: &mut Graph, r: Components, slope: Components) -> Components {
     if is_less { sum } else { slope }
 }
 
-/// The terms that are not linear in r, and then those that are, but for a factor, gathered by it.
+/// The terms that are not linear in r, and then those that are, up to a factor, collected by it.
 fn by_factor(
     graph: &mut Graph,
     r: Components,

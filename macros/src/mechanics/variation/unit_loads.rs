@@ -1,5 +1,5 @@
-//! What one unit of the load does that keeps a constraint, along its gradient: on each body by how
-//! it moves by itself, and along the freedoms of joints.
+//! One unit of the load of a constraint, along its gradient: a force and a moment on each body,
+//! displaced separately, and loads along the freedoms of joints.
 //!
 //! ```text
 //! of positions:   F = dg/dR   K = dg/dphi      of velocities:   F = dh/dv   K = dh/dw
@@ -42,7 +42,7 @@ fn by_rates(work: &mut Workspace, form: &Form, value: Id) -> Derived {
         .filter(|id| !work.graph.is_zero(*id))
         .collect();
     let mut slopes = Slopes::along_leaves(work, value, leaves);
-    // each vector is made of those that were turned before it
+    // each vector contains only vectors that were turned before it
     for turn in form.turns.iter().rev() {
         let slope = slopes.take(work, turn);
         if !work.graph.is_zero_vector(&slope) {

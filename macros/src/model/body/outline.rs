@@ -215,6 +215,11 @@ impl Outline {
         self.outputs.iter().position(|asked| asked.word == word)
     }
 
+    /// Whether one of these outputs is requested.
+    pub fn asks_for(&self, words: &[&str]) -> bool {
+        words.iter().any(|word| self.rank(word).is_some())
+    }
+
     /// The place where an output is requested.
     pub fn place(&self, word: &str) -> Option<Extent> {
         Some(self.outputs[self.rank(word)?].place)

@@ -17,4 +17,10 @@ impl Substance {
     pub fn inertia_entries(&self) -> Vec<Id> {
         self.inertia.distinct_entries()
     }
+
+    /// These, and the mass.
+    pub fn numbers(&self) -> Vec<Id> {
+        let entries = self.inertia_entries().into_iter();
+        entries.chain(self.mass).collect()
+    }
 }

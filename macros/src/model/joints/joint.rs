@@ -109,10 +109,7 @@ impl Joint {
 
     /// The components that a load of this kind has: in the plane a moment is about the normal.
     pub fn axes_of(&self, kind: LoadKind) -> Range<usize> {
-        match kind {
-            LoadKind::Moment if self.is_planar => 2..3,
-            LoadKind::Force | LoadKind::Moment => 0..self.axes(),
-        }
+        kind.axes(self.is_planar)
     }
 
     /// The components along which G moves.

@@ -1,7 +1,7 @@
 //! Turned vectors, kept apart.
 //!
-//! How a potential changes as its body turns is known without looking into the rotation: a turned
-//! vector changes by `phi x r`. So where potentials are read, the components of a vector in its
+//! As its body turns, a turned vector changes by `phi x r`: a potential is differentiated without
+//! looking into the rotation. So where potentials are read, the components of a vector in its
 //! other axes are new symbols, which stand for the turned vector until it is differentiated.
 
 use std::collections::HashMap;
@@ -19,7 +19,7 @@ pub struct Turn {
     pub turned: Components,
 }
 
-/// The vectors that were turned so far, each after those it is made of.
+/// The vectors that were turned so far, each after those that it contains.
 pub struct Turns {
     pub list: Vec<Turn>,
     known: HashMap<(Components, Frame, Frame), usize>,

@@ -1,4 +1,4 @@
-//! How vectors are turned from one frame to the other.
+//! The rotation of vectors from one frame to another.
 
 use crate::model::words::{AXES, Frame};
 use crate::symbolic::{Components, Function, Graph, Id, Node};
@@ -143,7 +143,7 @@ impl Workspace {
         let swing = graph.cross(q, doubled);
         let swing = graph.quantities(swing);
         for (component, axis) in v.into_iter().zip(AXES) {
-            // what is turned has a name of its own, or none
+            // the turned vector has a name of its own, or none
             if let Node::Quantity(inner) = *graph.node(component)
                 && self.labels.get(inner).is_none()
             {
@@ -160,7 +160,7 @@ impl Workspace {
         graph.add_vectors(v, change)
     }
 
-    /// Statements of the late components: what a turned vector is made of is used more than once.
+    /// Statements of the late components, because a rotation uses each component more than once.
     fn late_quantities(&mut self, v: Components) -> Components {
         v.map(|component| {
             if self.graph.is_early(component) {

@@ -70,7 +70,7 @@ impl Workspace {
         self.carriers[frame.index()] = carrier;
     }
 
-    /// Of two frames between which a vector was rotated, the carried one.
+    /// The carried one of the two frames between which a vector was rotated.
     pub fn turned_frame(&self, turn: &Turn) -> Frame {
         if self.carrier(turn.from) == turn.to {
             turn.from

@@ -4,11 +4,13 @@ mod joint_kind;
 
 pub use joint_kind::{Axes, Holds, JointKind, Part};
 
+use core::ops::Deref;
+
 use proc_macro2::Ident;
 
 use crate::symbolic::{Components, Id};
 
-use super::body::{Constraint, Defaults, Form, Inertia, Load, Potentials};
+use super::body::{Constraint, Defaults, Form, Inertia, Load, Potentials, Substance};
 use super::joints::Rates;
 use super::kinematics::{Own, State};
 use super::words::{Checks, Frame, Variable};
@@ -20,7 +22,7 @@ pub struct System {
     /// Each carrier precedes what it carries; the joint of a body has the index of the body.
     pub joints: Vec<TreeJoint>,
     /// The joints that close loops.
-    pub closings: Vec<Closing>,
+    pub closings: Vec<Connection>,
     /// The moving joints, by index, in the order of the state.
     pub written: Vec<usize>,
     /// Points whose Jacobians are requested: the body, and the offset from its G, in its axes.
@@ -34,7 +36,7 @@ pub struct System {
     pub properties: Vec<Property>,
     /// User-defined states.
     pub states: Vec<Own>,
-    pub constraints: Kept,
+    pub constraints: Constraints,
     pub potentials: Potentials,
     /// Energies other than those of uniform fields: of cables, and of potentials once these are
     /// loads.
@@ -59,30 +61,41 @@ pub struct Member {
     pub weights: Vec<Load>,
 }
 
-/// A joint between bodies that others already carry: it closes a loop.
-pub struct Closing {
+impl Member {
+    pub fn substance(&self) -> Substance {
+        Substance {
+            name: Some(self.name.to_string()),
+            mass: Some(self.mass),
+            inertia: self.inertia,
+        }
+    }
+}
+
+/// A joint as it connects two bodies, or a body and the ground: its two sides, and its directions.
+pub struct Connection {
     pub name: Ident,
     pub kind: &'static JointKind,
-    /// The body, or the ground, on the carrier's side.
+    /// The carrier; none for the ground.
     pub carrier: Option<usize>,
+    /// The carried body; of a joint that closes a loop, the body on that side.
     pub carried: usize,
-    /// Its points on the carrier and on the carried body, from G, in the body's axes; on the ground
-    /// in world axes.
+    /// Its point on the carrier: from its G, in its axes; on the ground in world axes.
     pub place: Components,
+    /// Its point on the carried body, from its G, in its axes.
     pub pin: Components,
-    /// Unit vectors, in the axes of the carried body; after the single axis of a joint in space two
-    /// perpendicular ones.
+    /// Unit vectors, in the axes of the carried body at zero coordinates, to which the parts of the
+    /// kind refer; where it closes a loop, two across the single axis of a joint in space follow.
     pub directions: Vec<Components>,
     /// For a screw, metres per radian.
     pub pitch: Option<Id>,
-    /// The rotation of the carried body at zero coordinates: axes and angles, the first one
-    /// in the carrier's axes.
+    /// The rotation of the carried body at zero coordinates: about axes in sequence,
+    /// each in the axes rotated by those before, the first one in the carrier's axes.
     pub turned: Vec<(Components, Id)>,
 }
 
 /// The constraints of the motion of a system.
 #[derive(Default)]
-pub struct Kept {
+pub struct Constraints {
     pub list: Vec<Constraint>,
     /// The symbols of their loads: given loads may depend on these.
     pub loads: Vec<Id>,
@@ -107,26 +120,9 @@ pub struct Property {
     pub may_vanish: bool,
 }
 
-/// A joint between a body and one before it, or the ground.
+/// A joint between a body and one before it, or the ground: it carries the body.
 pub struct TreeJoint {
-    pub name: Ident,
-    pub kind: &'static JointKind,
-    /// The carrier; none for the ground.
-    pub carrier: Option<usize>,
-    /// The carried body.
-    pub carried: usize,
-    /// Its point on the carrier: from its G, in its axes; on the ground in world axes.
-    pub place: Components,
-    /// Its point on the carried body, from its G, in its axes.
-    pub pin: Components,
-    /// Unit vectors, in the axes of the carried body at zero coordinates, to which the parts of the
-    /// kind refer.
-    pub directions: Vec<Components>,
-    /// For a screw, metres per radian.
-    pub pitch: Option<Id>,
-    /// The rotation of the carried body at zero coordinates: about axes in sequence,
-    /// each in the axes rotated by those before.
-    pub turned: Vec<(Components, Id)>,
+    pub connection: Connection,
     /// The frames of its parts, the last one that of the carried body.
     pub frames: Vec<Frame>,
     /// Its coordinates, their rates and accelerations, in the order of its parts.
@@ -141,6 +137,14 @@ pub struct TreeJoint {
     pub given: Vec<Option<Id>>,
     /// The unknown load along a coordinate, by its name, if there is one.
     pub open: Vec<Option<Ident>>,
+}
+
+impl Deref for TreeJoint {
+    type Target = Connection;
+
+    fn deref(&self) -> &Connection {
+        &self.connection
+    }
 }
 
 impl TreeJoint {
@@ -177,6 +181,12 @@ impl TreeJoint {
 }
 
 impl System {
+    /// All joints: first those of its tree, then those that close loops.
+    pub fn connections(&self) -> impl Iterator<Item = &Connection> {
+        let tree = self.joints.iter().map(|joint| &joint.connection);
+        tree.chain(&self.closings)
+    }
+
     /// Only the joints of its tree hold it.
     pub fn is_tree(&self) -> bool {
         self.closings.is_empty() && self.constraints.list.is_empty()

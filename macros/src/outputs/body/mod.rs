@@ -17,7 +17,7 @@ use super::output::{Listed, Output};
 use super::regressor::Regressor;
 use super::taylor::Taylor;
 
-/// Outputs that are solved for, or searched for.
+/// Outputs that need a solution of equations, or a search.
 fn solved() -> [Box<dyn Output<Model>>; 8] {
     [
         Box::<inverse::Inverse>::default(),
@@ -31,7 +31,7 @@ fn solved() -> [Box<dyn Output<Model>>; 8] {
     ]
 }
 
-/// Outputs that are read off the motion.
+/// Outputs that are functions of the motion.
 fn observed() -> [Box<dyn Output<Model>>; 5] {
     [
         Box::<Energy>::default(),

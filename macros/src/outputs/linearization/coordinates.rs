@@ -6,8 +6,8 @@ use quote::{format_ident, quote};
 use crate::emit::code::{Site, local};
 use crate::model::{AXES, Group, Outline, Variable};
 
-/// `impl Coordinated<STATES, INPUTS> for Body`; `in_world` says of which joints the coordinates are
-/// in world axes.
+/// `impl Coordinated<STATES, INPUTS> for Body`; `in_world` says for each joint whether its
+/// coordinates are in world axes.
 pub fn coordinated(site: &Site<'_>, in_world: &[bool]) -> TokenStream {
     let (outline, private) = (site.outline, &site.shapes.private);
     let groups = outline.tangent();
@@ -69,7 +69,7 @@ fn violations(site: &Site<'_>, input: &TokenStream) -> TokenStream {
     }
 }
 
-/// What each coordinate is.
+/// The kind of each coordinate.
 fn places(groups: &[Group], in_world: &[bool]) -> Vec<TokenStream> {
     let is_place = |group: &&Group| !group.variable.is_rate() && group.variable != Variable::Own;
     let places = groups.iter().filter(is_place).flat_map(|group| {
@@ -98,7 +98,7 @@ fn place(group: &Group, part: usize, [is_in_world, is_free]: [bool; 2]) -> Token
     }
 }
 
-/// Inputs as components, components as inputs, and how many there are.
+/// Inputs as components, components as inputs, and the number of components.
 fn components(outline: &Outline) -> (Vec<TokenStream>, Vec<TokenStream>, usize) {
     let (given, list) = (local("input"), local("components"));
     let (mut read, mut written) = (Vec::new(), Vec::new());

@@ -9,7 +9,7 @@ use crate::symbolic::Id;
 
 use super::matrices::Placed;
 
-/// The trait and its struct, the method, and what is said of it.
+/// The words for the trait, its struct, its method and their documentation.
 pub struct Words {
     pub name: &'static str,
     pub method: &'static str,

@@ -1,4 +1,4 @@
-//! Where the blocks of a linearisation are in its matrices.
+//! The places of the blocks of a linearization in its matrices.
 
 use std::collections::HashSet;
 
@@ -9,7 +9,7 @@ use crate::emit::code::{Shapes, Site, Values, local};
 use crate::mechanics::{Block, Column, Row};
 use crate::model::{AXES, Declared, Group, Outline, Variable};
 
-/// A description with mistakes, and with more blocks than this, gets none.
+/// A description with mistakes gets no blocks if there would be more than this.
 const MOST: usize = 4096;
 
 /// The tangent space of the states, and the inputs, in groups.
@@ -20,7 +20,7 @@ pub struct Space {
     params: Vec<(String, usize)>,
 }
 
-/// A block, and where it is in the matrices.
+/// A block, and its place in the matrices.
 pub struct Placed {
     pub name: Ident,
     size: [usize; 2],
@@ -46,12 +46,12 @@ impl Space {
         }
     }
 
-    /// How many coordinates come before the rates.
+    /// The number of coordinates before the rates.
     fn places(&self) -> usize {
         self.size()[0] - components(&self.accelerations)
     }
 
-    /// How many coordinates there are, and how many components of inputs.
+    /// The number of coordinates, and of components of inputs.
     fn size(&self) -> [usize; 2] {
         [
             components(&self.state),
@@ -95,7 +95,7 @@ impl Space {
         }
     }
 
-    /// All blocks that there may be, if they are not too many to be worth while.
+    /// All possible blocks, unless there are too many.
     pub fn all(&self) -> Vec<Placed> {
         if self.accelerations.len() * (self.state.len() + self.inputs.len()) > MOST {
             return Vec::new();
@@ -116,7 +116,7 @@ impl Space {
         all.filter(|one| seen.insert(one.name.clone())).collect()
     }
 
-    /// Those that there may be by parameters.
+    /// All possible blocks of derivatives by parameters.
     pub fn by_params(&self) -> Vec<Placed> {
         let rows = 0..self.accelerations.len();
         let columns = |row| (0..self.params.len()).map(move |number| (row, number));
@@ -126,12 +126,12 @@ impl Space {
         placed.collect()
     }
 
-    /// What the coordinates and the components of inputs are called.
+    /// The names of the coordinates and of the components of inputs.
     fn names(&self) -> [Vec<String>; 2] {
         [of_groups(&self.state), of_declared(&self.inputs)]
     }
 
-    /// Which entries of A and B may be other than zero.
+    /// The entries of A and B that may be nonzero.
     pub fn patterns(&self, blocks: &[Block]) -> [Vec<Vec<bool>>; 2] {
         let [states, inputs] = self.size();
         let mut patterns = [
@@ -232,7 +232,7 @@ impl Space {
     }
 }
 
-/// What the components of groups are called.
+/// The names of the components of groups.
 fn of_groups(groups: &[Group]) -> Vec<String> {
     let groups = groups.iter();
     groups
@@ -256,7 +256,7 @@ fn spread(name: &str, size: usize) -> impl Iterator<Item = String> {
     })
 }
 
-/// How many components groups have together.
+/// The number of components of all groups.
 fn components(groups: &[Group]) -> usize {
     groups.iter().map(|group| group.size).sum()
 }

@@ -1,5 +1,4 @@
-//! `linearization`: what the rates of a state change by with state and input, to first order, in
-//! blocks.
+//! `linearization`: the derivatives of the rates of a state by state and input, in blocks.
 
 use proc_macro2::Ident;
 
@@ -24,7 +23,7 @@ const OFFER: Offer = Offer {
 #[derive(Default)]
 pub struct Linearization {
     found: Option<mechanics::Linearization>,
-    /// Of which joints the coordinates are in world axes.
+    /// Whether the coordinates of each joint are in world axes.
     in_world: Vec<bool>,
 }
 

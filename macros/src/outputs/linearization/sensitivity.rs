@@ -1,4 +1,4 @@
-//! `sensitivity`: what the accelerations change by with parameters, to first order, in blocks.
+//! `sensitivity`: the derivatives of the accelerations by parameters, in blocks.
 
 use crate::emit::code::Site;
 use crate::emit::items::Addition;

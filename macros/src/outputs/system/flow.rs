@@ -117,7 +117,7 @@ fn declared(site: &Site<'_>, name: &Ident, fields: &[(Ident, TokenStream)]) -> T
     }
 }
 
-/// What the start of a path reads, of vectors so many components.
+/// The expressions that the start of a path reads; vectors have this many components.
 fn roots(course: &Course, axes: usize) -> Vec<Id> {
     match course {
         Course::Uniform(accelerations) => accelerations.clone(),

@@ -35,7 +35,7 @@ impl Output<System> for Inverse {
                 "no drive is open: write `motor = _.on(elbow)` for each that is to be found";
             return basis.errors.report(basis.outline.place(INVERSE)?, message);
         }
-        // what is kept moves some joints with the others
+        // constraints move some joints with the others
         let mut is_sound = true;
         let undriven = joints
             .by_ref()

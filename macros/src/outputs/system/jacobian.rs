@@ -16,7 +16,7 @@ const OFFER: Offer = Offer {
     ..Offer::new("jacobian")
 };
 
-/// That of each point.
+/// The Jacobian of each requested point.
 #[derive(Default)]
 pub struct Jacobian(Option<Vec<mechanics::Jacobian>>);
 

@@ -1,4 +1,4 @@
-//! The outputs of a system. One that is new is a file, and a line in the list.
+//! The outputs of a system. A new output is a file, and a line in the list.
 
 mod flow;
 mod inverse;

@@ -21,7 +21,7 @@ const OFFER: Offer = Offer {
     ..Offer::new("reactions")
 };
 
-/// What joints carry.
+/// The loads that joints carry.
 struct Carried {
     /// Force and moment of each joint, by name.
     wrenches: Vec<(Ident, [Components; 2])>,
@@ -108,7 +108,7 @@ impl Output<System> for Reactions {
     }
 }
 
-/// Reports what is asked for and not determined, at the name of each joint that is named.
+/// Reports requested loads that are not determined, at the name of each requested joint.
 fn check_determined(basis: &mut Basis<'_, System>) -> Option<()> {
     let (system, outline) = (basis.model, basis.outline);
     let open = derive_system_open(system, basis.work, basis.equations);

@@ -1,4 +1,4 @@
-//! Expressions that are sums of symbols, each times what is known early.
+//! Expressions that are sums of symbols, each with a factor that is known early.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,8 +12,8 @@ struct Affine {
 }
 
 impl Graph {
-    /// The root as such a sum, if it is made of nothing but sums and early factors. This multiplies
-    /// products out: `a * (b * x + c * y)` becomes `(a * b) * x + (a * c) * y`.
+    /// The root as such a sum, if it consists of sums and early factors alone. Products are
+    /// multiplied out: `a * (b * x + c * y)` becomes `(a * b) * x + (a * c) * y`.
     pub fn affine(&mut self, root: Id) -> Option<Id> {
         if !self.is_affine(root) {
             return None;

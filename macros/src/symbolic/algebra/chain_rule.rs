@@ -24,10 +24,7 @@ pub fn change<A: Algebra>(
         Node::Negate(a) => negated(of, d(a)),
         Node::Add(a, b) => sum(of, d(a), d(b)),
         Node::Subtract(a, b) => difference(of, d(a), d(b)),
-        Node::Multiply(a, b) => {
-            let (left, right) = (product(of, d(a), &known(b)), product(of, d(b), &known(a)));
-            sum(of, left, right)
-        }
+        Node::Multiply(a, b) => combined(of, (d(a), &known(b)), (d(b), &known(a))),
         Node::Divide(a, b) => {
             // (a / b)' = (a' - (a / b) b') / b
             let change = product(of, d(b), itself);
@@ -41,32 +38,24 @@ pub fn change<A: Algebra>(
         // not as a weight of zero, which would be lost if the other side has no slope
         Node::Binary(function @ (Function::Min | Function::Max), a, b) => {
             let first = takes_first(of, function, &known(a), &known(b));
-            let zero = of.zero();
-            let (a, b) = (d(a).unwrap_or_else(|| zero.clone()), d(b).unwrap_or(zero));
-            Some(of.select(&first, &a, &b))
+            Some(chosen(of, &first, d(a), d(b)))
         }
         Node::Binary(function, a, b) => {
             let (by_a, by_b) = slopes(of, function, &known(a), &known(b), itself);
-            let (left, right) = (product(of, d(a), &by_a), product(of, d(b), &by_b));
-            sum(of, left, right)
+            combined(of, (d(a), &by_a), (d(b), &by_b))
         }
         Node::Foreign(function, arguments) => {
             let values = arguments.map(&known);
-            let mut total = None;
-            for (place, argument) in arguments.into_iter().enumerate() {
-                if let Some(change) = d(argument) {
+            let changes = arguments.into_iter().map(d).enumerate();
+            changes.fold(None, |total, (place, change)| {
+                let part = change.map(|change| {
                     let slope = of.foreign(function.by(place), &values);
-                    let part = Some(of.multiply(&change, &slope));
-                    total = sum(of, total, part);
-                }
-            }
-            total
+                    of.multiply(&change, &slope)
+                });
+                sum(of, total, part)
+            })
         }
-        Node::Select(condition, a, b) => {
-            let zero = of.zero();
-            let (a, b) = (d(a).unwrap_or_else(|| zero.clone()), d(b).unwrap_or(zero));
-            Some(of.select(&known(condition), &a, &b))
-        }
+        Node::Select(condition, a, b) => Some(chosen(of, &known(condition), d(a), d(b))),
         Node::Pivot(a, _) => {
             // (1 / a)' = -(1 / a)^2 a'
             let square = of.square(itself);
@@ -82,6 +71,18 @@ pub fn change<A: Algebra>(
         | Node::Or(..)
         | Node::Not(_) => None,
     }
+}
+
+/// The change of the chosen branch.
+fn chosen<A: Algebra>(
+    of: &mut A,
+    is_first: &A::Value,
+    a: Option<A::Value>,
+    b: Option<A::Value>,
+) -> A::Value {
+    let zero = of.zero();
+    let (a, b) = (a.unwrap_or_else(|| zero.clone()), b.unwrap_or(zero));
+    of.select(is_first, &a, &b)
 }
 
 fn negated<A: Algebra>(of: &mut A, a: Option<A::Value>) -> Option<A::Value> {
@@ -101,6 +102,16 @@ fn difference<A: Algebra>(
     b: Option<A::Value>,
 ) -> Option<A::Value> {
     let b = negated(of, b);
+    sum(of, a, b)
+}
+
+/// The sum of two changes, each with its slope.
+fn combined<A: Algebra>(
+    of: &mut A,
+    (a, by_a): (Option<A::Value>, &A::Value),
+    (b, by_b): (Option<A::Value>, &A::Value),
+) -> Option<A::Value> {
+    let (a, b) = (product(of, a, by_a), product(of, b, by_b));
     sum(of, a, b)
 }
 

@@ -47,7 +47,7 @@ pub enum Comparison {
 }
 
 impl Comparison {
-    /// Of numbers in this order.
+    /// Whether it holds for numbers in this order.
     pub fn holds(self, order: Ordering) -> bool {
         match self {
             Self::Less => order.is_lt(),

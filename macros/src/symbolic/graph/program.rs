@@ -56,7 +56,7 @@ impl Graph {
         }
     }
 
-    /// Those of `nodes`, which are all `computed` ones, that get a name.
+    /// The `nodes` that get a name. All of them are `computed`.
     fn statements(&self, nodes: &[Id], outputs: &[Id], computed: impl Fn(Id) -> bool) -> Vec<Id> {
         let operands = |id: Id| self.node(id).operands().filter(|id| computed(*id));
         let mut uses = vec![0_u32; nodes.last().map_or(0, |last| last.index() + 1)];

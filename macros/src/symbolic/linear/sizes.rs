@@ -13,7 +13,8 @@ pub enum Size {
     Product(Id),
     /// It is compared with the largest of its terms.
     Terms,
-    /// The same; it is a mass, to which loads may have added: it is divided by before what is beside.
+    /// The same for a mass, to which loads may have added. It is divided by before the entries
+    /// next to it.
     Masses,
     /// The same; and as a pivot, it would make remaining sums of squares lose their positivity.
     Beside,
@@ -33,7 +34,7 @@ impl Graph {
         largest
     }
 
-    /// Of two sizes.
+    /// The larger of two sizes.
     pub(super) fn larger(&mut self, a: Id, b: Id) -> Id {
         if self.is_zero(a) {
             b

@@ -117,7 +117,7 @@ impl PartialOrd for Number {
 }
 
 impl Ord for Number {
-    /// Of irrational numbers, by the sign of their difference.
+    /// Irrational numbers are compared by the sign of their difference.
     fn cmp(&self, other: &Self) -> Ordering {
         match (&self.kind, &other.kind) {
             (Kind::Rational, Kind::Rational) => self.value.cmp(&other.value),

@@ -67,7 +67,7 @@ impl Spectrum {
 }
 
 impl Symmetry {
-    /// Of a matrix with two equal eigenvalues and a third.
+    /// The symmetry of a matrix with two equal eigenvalues and a third.
     pub fn of(matrix: &Matrix) -> Option<Self> {
         if !is_diagonal(matrix) {
             return Self::around(matrix, repeated(matrix)?);

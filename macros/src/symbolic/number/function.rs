@@ -25,8 +25,8 @@ pub enum Function {
     Hypot,
     Min,
     Max,
-    /// A table, of which the second argument is the number: [`super::Number`] of the table, times
-    /// `ORDERS`, and of the derivative.
+    /// A table. Its second argument is the index of the table times `ORDERS`, plus the order of the
+    /// derivative.
     Table,
 }
 

@@ -1,12 +1,12 @@
-//! Numbers that are not rational: a value, how far it may be off, and a residue that knows
+//! Numbers that are not rational: a value, a bound of its error, and a residue that proves
 //! identities.
 //!
-//! The residue is computed along with the value, modulo a prime: pi, and what a function makes of
-//! an argument, are random residues there, up to `sin^2 + cos^2 = 1`; the root of a rational number
-//! is the product of the roots of its primes, whose signs no identity tells apart. So a residue of
-//! zero is a proof that a number is zero, by an identity in all of these, but for one of 2^100 by
-//! chance; and then only where its value may be zero too. A value that has cancelled down to its
-//! error, and is not zero by proof, is computed again with more bits.
+//! The residue is computed along with the value, modulo a prime. Pi and the values of functions
+//! have random residues, up to `sin^2 + cos^2 = 1`. The root of a rational number is the product of
+//! the roots of its primes, whose signs no identity distinguishes. So a residue of zero proves that
+//! a number is zero, by an identity in all of these, except with probability 2^-100; and only if
+//! its value may be zero, too. A value that has cancelled down to its error, and is not proved to
+//! be zero, is computed again with more bits.
 
 use core::cell::RefCell;
 use std::rc::Rc;
@@ -22,17 +22,17 @@ use super::residue::Residue;
 
 /// Bits of numerator and denominator beyond which an exact number is rounded to [`PRECISION`].
 const EXACT: usize = 1 << 13;
-/// The same of a number that is rounded already, and what is kept of it then.
+/// The same for a number that is rounded already, and the bits that are kept of it.
 const ROUNDED: usize = 1 << 11;
 const KEPT: usize = 1 << 9;
-/// Bits of a value that are right; with fewer, it is computed again.
+/// Correct bits of a value; with fewer, it is computed again.
 const ENOUGH: isize = 128;
 /// Bits with which it is.
 const MORE: [usize; 4] = [512, 1024, 2048, 4096];
 /// Operations that are done again, at most.
 const COST: usize = 200;
 
-/// That of a quotient by what may be zero.
+/// The cost of a quotient whose divisor may be zero.
 const UNKNOWN: isize = 1 << 15;
 
 impl Term {
@@ -44,7 +44,7 @@ impl Term {
         }
     }
 
-    /// Whether more bits of what it is computed from may tell more of it.
+    /// Whether more bits of its arguments may give more bits of it.
     fn may_gain(&self) -> bool {
         match self {
             Self::Pi => true,
@@ -58,7 +58,7 @@ impl Term {
         }
     }
 
-    /// With so many bits of what it is computed from.
+    /// Its value, from this many bits of its arguments.
     fn ball(&self, bits: usize) -> Option<Ball> {
         let exact = match self {
             Self::Pi => return Ball::of_float(Float::pi(bits), NONE, bits),
@@ -78,7 +78,7 @@ impl Number {
         Self::settled(Term::Pi.ball(PRECISION), residue, Term::Pi).unwrap_or_else(Self::zero)
     }
 
-    /// A value that is right to so many bits, of which nothing else is known.
+    /// A value that is correct to this many bits, without any other property.
     pub(in crate::symbolic) fn measured(value: Float, bits: usize) -> Self {
         let ball = Ball::of_float(value, NONE, bits);
         let residue = ball
@@ -98,7 +98,7 @@ impl Number {
         Self::settled(near, residue, Term::Value(function, x.clone()))
     }
 
-    /// What a function was applied to.
+    /// The argument of a function.
     pub(in crate::symbolic) fn argument(&self, of: Function) -> Option<&Self> {
         match &self.known()?.term {
             Term::Value(function, argument) if *function == of => Some(argument),
@@ -273,7 +273,7 @@ impl Number {
             .is_some_and(|known| !matches!(known.term, Term::Kept) && !self.stored().may_be_zero())
     }
 
-    /// To so many bits, if they can be had; else as near as it is.
+    /// Its value to this many bits, or the most accurate one that is available.
     fn ball(&self, bits: usize) -> Ball {
         let stored = Ball::rounded(&self.value, self.error(), bits);
         match self.known() {
@@ -289,7 +289,7 @@ impl Number {
 }
 
 impl Irrational {
-    /// Computed with so many bits, once.
+    /// Its value from this many bits, computed once.
     fn again(&self, bits: usize) -> Option<Ball> {
         let known = self.again.borrow();
         if let Some((_, ball)) = known.iter().find(|(known, _)| *known == bits) {

@@ -4,7 +4,7 @@ use super::exact::Number;
 use super::residue::{DIGITS, PRIME, Residue, minus};
 
 impl Residue {
-    /// That of a rational number. A multiple of the prime has none, as it is not zero.
+    /// The residue of a rational number. A multiple of the prime has none, because it is not zero.
     pub(in crate::symbolic) fn rational(number: &Number) -> Option<Self> {
         let [above, below] = number.modulo(PRIME).map(Self::real);
         let is_lost = above.is_zero() && !number.is_zero();

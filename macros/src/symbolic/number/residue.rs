@@ -3,11 +3,11 @@
 use core::ops::{Add, Mul, Neg};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// Of Mersenne; -1 has no root, and of `a` and `-a` one has.
+/// A Mersenne prime. -1 has no root, and one of `a` and `-a` has one.
 pub const PRIME: u128 = (1 << 127) - 1;
 
-/// Bound of a numerator and of a denominator that are told by their residue: one of 2^62 has such,
-/// by chance.
+/// Bound of a numerator and of a denominator that a residue determines: one residue in 2^62 has
+/// such a pair by chance.
 pub const DIGITS: i128 = 1 << 32;
 
 /// `real + imaginary i`, both modulo the prime: numbers among which all that are real have roots.
@@ -25,7 +25,7 @@ impl Residue {
         Self { real, imaginary: 0 }
     }
 
-    /// A random residue, different for what is different.
+    /// A random residue, different for different arguments.
     pub fn stand_in(of: &impl Hash) -> Self {
         let half = |salt: u8| {
             let mut hasher = DefaultHasher::new();
@@ -39,7 +39,7 @@ impl Residue {
         self == Self::ZERO
     }
 
-    /// Of `a` and `-a` always the same one, and whether it is the other.
+    /// The same one for `a` and `-a`, and whether it is the opposite of this one.
     pub(in crate::symbolic) fn unsigned(self) -> (Self, bool) {
         let opposite = -self;
         let key = |a: &Self| (a.real, a.imaginary);
@@ -81,7 +81,7 @@ impl Residue {
         })
     }
 
-    /// Of a real number, if it has one that is real: `a^((PRIME + 1) / 4)`.
+    /// The real root of a real number, if it has one: `a^((PRIME + 1) / 4)`.
     fn real_root(a: u128) -> Option<u128> {
         let root = squared(a, 125);
         (times(root, root) == a).then_some(root)
@@ -110,12 +110,12 @@ impl Residue {
     }
 }
 
-/// Squared so many times.
+/// The number, squared this many times.
 fn squared(a: u128, count: u32) -> u128 {
     (0..count).fold(a, |power, _| times(power, power))
 }
 
-/// Of any number of 128 bits.
+/// The residue of any number of 128 bits.
 fn reduced(a: u128) -> u128 {
     let folded = (a & PRIME) + (a >> 127);
     if folded >= PRIME {

@@ -1,4 +1,4 @@
-//! Tables: polynomials, one behind the other, that pass through given values.
+//! Tables: piecewise polynomials through given values.
 
 use super::exact::Number;
 
@@ -13,7 +13,7 @@ pub struct Table {
 #[derive(Clone)]
 pub struct Piece {
     pub start: Number,
-    /// Of the powers of what is beyond the start.
+    /// The factors of the powers of the distance from the start.
     pub coefficients: Vec<Number>,
 }
 
@@ -58,7 +58,7 @@ impl Table {
 
     /// The slopes of monotone cubics (Fritsch and Carlson, Monotone Piecewise Cubic Interpolation,
     /// SIAM J. Numer. Anal. 17, 1980, 238): that of the parabola through three knots, at most three
-    /// times that of either line beside it.
+    /// times that of either adjacent line.
     pub fn slopes(knots: &[Knot]) -> Option<Vec<Number>> {
         let lines = lines(knots)?;
         let slopes = (0..knots.len()).map(|knot| slope_at(&lines, knot));
@@ -145,7 +145,7 @@ impl Table {
     }
 }
 
-/// From each knot to the next: how far, and how steep.
+/// The lines from each knot to the next: width and slope.
 fn lines(knots: &[Knot]) -> Option<Vec<(Number, Number)>> {
     let lines = knots.windows(2).map(|pair| {
         let width = pair[1].0.clone() - pair[0].0.clone();
@@ -155,7 +155,7 @@ fn lines(knots: &[Knot]) -> Option<Vec<(Number, Number)>> {
     lines.collect()
 }
 
-/// The slope at a knot, of the lines beside it with their widths.
+/// The slope at a knot, from the widths and slopes of both adjacent lines.
 fn slope_at(lines: &[(Number, Number)], knot: usize) -> Option<Number> {
     let before = knot.checked_sub(1).and_then(|place| lines.get(place));
     let (slope, beside) = match (before, lines.get(knot)) {
@@ -174,7 +174,7 @@ fn slope_at(lines: &[(Number, Number)], knot: usize) -> Option<Number> {
     Some(beside.into_iter().fold(slope, limited))
 }
 
-/// Of the parabola through the three knots at an end.
+/// The slope of the parabola through the three knots at an end.
 fn slope_at_end((h, d): &(Number, Number), next: Option<&(Number, Number)>) -> Option<Number> {
     let Some((k, e)) = next else {
         return Some(d.clone());
@@ -183,7 +183,7 @@ fn slope_at_end((h, d): &(Number, Number), next: Option<&(Number, Number)>) -> O
     Some(d.clone() + change.checked_div(&(h.clone() + k.clone()))?)
 }
 
-/// Of the sign of a line, and at most three times as steep.
+/// A slope with the sign of that of a line, and at most three times as steep.
 fn limited(slope: Number, line: &Number) -> Number {
     let most = Number::integer(3) * line.clone();
     let is_against = slope.is_negative() != line.is_negative();

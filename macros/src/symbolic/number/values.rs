@@ -188,8 +188,7 @@ impl Number {
         (Self::one() - decayed.clone()).checked_div(&(Self::one() + decayed))
     }
 
-    /// How many straight angles it is, if that is a ratio of small numbers, or a number of
-    /// twelfths.
+    /// Its ratio to pi, if that is a ratio of small numbers, or a number of twelfths.
     fn half_turns(&self) -> Option<Self> {
         let is_equal = |turns: &Self| (turns.clone() * Self::pi() - self.clone()).is_zero();
         let small = (self.residue() * Self::pi().residue().reciprocal()?).to_number();

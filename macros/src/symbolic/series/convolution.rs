@@ -353,7 +353,7 @@ impl Graph {
         }
     }
 
-    /// How often each expression is read.
+    /// The number of times that each expression is read.
     fn readers(&self, order: &[Id], roots: &[Id]) -> HashMap<Id, usize> {
         let mut readers = HashMap::new();
         let operands = order.iter().flat_map(|id| self.node(*id).operands());

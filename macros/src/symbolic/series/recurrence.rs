@@ -114,7 +114,7 @@ impl Graph {
         order
     }
 
-    /// Which of the expressions of `order`, by index, change with these symbols.
+    /// Whether each expression of `order`, by index, changes with these symbols.
     fn moving(&self, order: &[Id], symbols: &[Id]) -> Vec<bool> {
         let mut moves = vec![false; order.last().map_or(0, |last| last.index() + 1)];
         for id in order {

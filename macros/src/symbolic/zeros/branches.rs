@@ -13,7 +13,7 @@ use super::identity::{Residues, Side};
 /// all.
 const MOST: usize = 64;
 
-/// What `evaluate` gives on each branch.
+/// The result of `evaluate` on each branch.
 pub fn on_branches<T>(mut evaluate: impl FnMut(&mut Residues<'_>) -> T) -> Vec<T> {
     let mut values = Vec::new();
     // the choices of a branch, in the order in which they are met

@@ -13,16 +13,17 @@ pub(in crate::symbolic) struct Degree {
 
 struct Degrees;
 
-/// What is not known of a value is a symbol, or a rational function of one with squares.
+/// The degree of a value without a known form: a symbol, or a rational function of one with
+/// squares.
 const UNKNOWN: Degree = Degree {
     above: 2.0,
     below: 2.0,
 };
 
-/// How many times these degrees what is made of the values may have: their changes along a rate,
-/// and determinants of them.
+/// Expressions made of the values, such as changes along a rate and determinants, may have this
+/// many times their degrees.
 const MADE: f64 = 64.0;
-/// A proof may fail in one of so many cases: 2^60.
+/// A proof fails in at most one of this many cases: 2^60.
 const CERTAINTY: f64 = 1_152_921_504_606_846_976.0;
 /// 2^127
 const PRIME: f64 = CERTAINTY * CERTAINTY * 128.0;

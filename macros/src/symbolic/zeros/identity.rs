@@ -7,11 +7,11 @@
 //! signs, and a condition both outcomes: each is a branch of its own. A root of a root may have no
 //! residue, and is random too.
 //!
-//! What is zero at the place on every branch is so in all states, for all such functions, but for
-//! one chance in `PRIME / degree` (J. Schwartz, Fast probabilistic algorithms for verification of
-//! polynomial identities, J. ACM 27, 1980, 701; R. Zippel, Probabilistic algorithms for sparse
-//! polynomials, EUROSAM 1979). What is not zero there may be zero all the same:
-//! `sin 2x - 2 sin x cos x`.
+//! An expression that is zero at the place on every branch is zero in all states, for all such
+//! functions, except with probability `degree / PRIME` (J. Schwartz, Fast probabilistic algorithms
+//! for verification of polynomial identities, J. ACM 27, 1980, 701; R. Zippel, Probabilistic
+//! algorithms for sparse polynomials, EUROSAM 1979). An expression that is not zero there may still
+//! be zero: `sin 2x - 2 sin x cos x`.
 
 use crate::symbolic::algebra::Algebra;
 use crate::symbolic::graph::Comparison;
@@ -79,7 +79,7 @@ impl<'a> Residues<'a> {
         if is_turned { -value } else { value }
     }
 
-    /// Of either sign.
+    /// A square root, of either sign.
     fn root(&mut self, a: Residue) -> Residue {
         if a.is_zero() {
             return a;
@@ -213,7 +213,7 @@ impl Algebra for Residues<'_> {
     }
 }
 
-/// A choice, by what it depends on; equal values choose alike.
+/// A choice, identified by the values that it depends on: equal values choose alike.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(in crate::symbolic) enum Side {
     /// The sign of the root of this.

@@ -1,8 +1,9 @@
 //! Whether an expression is zero: the one test of the compiler.
 //!
-//! *Zero* is said of what is proved to be zero in all states, on all branches, for both signs of
-//! every root and at all scales: see [`super::identity`]. All else may be zero somewhere or
-//! everywhere, and is treated as not zero. Values of doubles or of long numbers prove nothing.
+//! An expression is called *zero* if it is proved to be zero in all states, on all branches, for
+//! both signs of every root and at all scales: see [`super::identity`]. All others may be zero
+//! somewhere or everywhere, and are treated as nonzero. Values of doubles or of long numbers prove
+//! nothing.
 
 use crate::symbolic::graph::{Graph, Id, Node};
 use crate::symbolic::number::Residue;

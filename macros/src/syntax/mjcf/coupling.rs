@@ -29,14 +29,15 @@ const KNOWN: [&str; 10] = [
 impl Reader<'_> {
     pub fn couplings(
         &mut self,
-        nodes: &[Node<'_, '_>],
+        node: Node<'_, '_>,
         (bodies, tendons): (&[Body], &[Tendon]),
         found: &mut Vec<Coupling>,
     ) {
-        for node in nodes {
-            if node.attribute("active") != Some("false") {
+        for node in node.children() {
+            let is_coupling = ["joint", "tendon"].contains(&node.tag_name().name());
+            if is_coupling && node.attribute("active") != Some("false") {
                 let number = found.len() + 1;
-                found.extend(self.coupling(*node, number, (bodies, tendons)));
+                found.extend(self.coupling(node, number, (bodies, tendons)));
             }
         }
     }

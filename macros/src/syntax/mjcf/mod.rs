@@ -1,8 +1,8 @@
 //! `mjcf: "model.xml"`: bodies, joints, motors and gravity from a file (the format of `MuJoCo`).
 //!
-//! The content of the file becomes what a user could have written: a body composed of parts for
-//! each body with mass, a frame for each one without and between the joints of one body, and a
-//! definition of each joint. All numbers keep their digits.
+//! The content of the file becomes a description that a user could have written: a body composed of
+//! parts for each body with mass, a frame for each one without and between the joints of one body,
+//! and a definition of each joint. All numbers keep their digits.
 
 mod actuator;
 mod body;
@@ -135,20 +135,11 @@ impl Beside<'_> {
             return reader.report(root, "it has no `<body>`");
         }
         let (mut tendons, mut actuators) = (Vec::new(), Vec::new());
-        for node in of("tendon") {
-            reader.tendons(node, &classes, &bodies, &mut tendons);
-        }
+        of("tendon").for_each(|node| reader.tendons(node, &classes, &bodies, &mut tendons));
         let known = (&bodies[..], &tendons[..]);
-        for node in of("actuator") {
-            reader.actuators(node, &classes, known, &mut actuators);
-        }
+        of("actuator").for_each(|node| reader.actuators(node, &classes, known, &mut actuators));
         let mut couplings = Vec::new();
-        for node in of("equality") {
-            let is_coupling =
-                |node: &Node<'_, '_>| ["joint", "tendon"].contains(&node.tag_name().name());
-            let nodes: Vec<Node<'_, '_>> = node.children().filter(is_coupling).collect();
-            reader.couplings(&nodes, known, &mut couplings);
-        }
+        of("equality").for_each(|node| reader.couplings(node, known, &mut couplings));
         let (poses, mut closings) = (poses(&bodies), Vec::new());
         of("equality").for_each(|node| reader.closings(node, &bodies, &poses, &mut closings));
         // the error may be in the mass properties of a body

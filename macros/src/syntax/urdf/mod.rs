@@ -1,8 +1,8 @@
 //! `urdf: "robot.urdf"`: bodies and joints from a file (the Unified Robot Description Format of
 //! ROS).
 //!
-//! The content of the file becomes what a user could have written: a description of each link, and
-//! a definition of each joint. All numbers keep their digits.
+//! The content of the file becomes one that a user could have written: a description of each link,
+//! and a definition of each joint. All numbers keep their digits.
 
 mod describe;
 mod followers;

@@ -1,4 +1,4 @@
-//! Numbers of a file: decimal text, which stays what it is, and right angles.
+//! Numbers of a file: decimal text, which stays unchanged, and right angles.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -18,10 +18,9 @@ pub struct Decimal {
     pub extent: Extent,
 }
 
-/// How near an angle is to a right one that it stands for.
+/// The greatest difference between an angle and the right angle that it stands for.
 const NEAR: f64 = 1e-9;
-/// Digits behind the point that are enough to name a right angle, where all of them are its own:
-/// `1.5707963`.
+/// The number of correct digits behind the point that are enough for a right angle: `1.5707963`.
 const NAMING: i32 = 7;
 
 impl Decimal {
@@ -115,8 +114,8 @@ impl Decimal {
         }
     }
 
-    /// How many right angles it is, if that is within `NEAR`, or less than one of its last digits
-    /// off. A double is looked at for this alone: what is written comes from the digits.
+    /// Its number of right angles, if the difference is within `NEAR`, or less than one of its last
+    /// digit. Only this test uses a double; the written text comes from the digits.
     fn right_angles(&self) -> Option<i32> {
         let angle: f64 = self.text().parse().ok()?;
         let count = (angle / FRAC_PI_2).round();
@@ -130,7 +129,7 @@ impl Decimal {
         (off < NEAR || is_named).then_some(count as i32)
     }
 
-    /// How many digits stand behind the point.
+    /// The number of digits behind the point.
     fn decimals(&self) -> Option<i32> {
         let split = self.digits.split_once(['e', 'E']);
         let (mantissa, exponent) = split.unwrap_or((&self.digits, "0"));

@@ -1,5 +1,5 @@
-//! What formats of files have in common: the elements of XML, their numbers and names, and what a
-//! file becomes.
+//! The common parts of file formats: the elements of XML, their numbers and names, and the
+//! resulting description.
 
 pub mod decimal;
 pub mod names;
@@ -15,7 +15,7 @@ use crate::errors::{Errors, hint};
 use super::expression::{Expression, Kind};
 use super::{Declaration, Definition, Description, Load};
 
-/// What is written beside a file, as far as it matters to it.
+/// The parts of the description next to a file that affect its content.
 #[derive(Clone, Copy)]
 pub struct Beside<'a> {
     pub runtime: &'a TokenStream,
@@ -27,7 +27,7 @@ pub struct Beside<'a> {
     pub fields: &'a [Load],
 }
 
-/// What a file describes.
+/// The content of a file, as parts of a description.
 #[derive(Default)]
 pub struct Described {
     pub bodies: Vec<Description>,
@@ -40,12 +40,12 @@ pub struct Described {
     pub told: Told,
 }
 
-/// What is told of a file.
+/// The documentation of a file.
 #[derive(Default)]
 pub struct Told {
-    /// What is read otherwise than it stands there.
+    /// Content that is read differently from its text.
     pub read_as: Vec<String>,
-    /// What is not used.
+    /// Content that is not used.
     pub skipped: Vec<String>,
 }
 
@@ -79,7 +79,7 @@ impl Beside<'_> {
         Some(found.value.clone().unwrap_or_else(lost))
     }
 
-    /// Reports what is locked and no joint, or locked twice.
+    /// Reports locked names that are no joints, or are locked twice.
     pub fn check_all_locked(self, known: &[String], is_lost: bool, errors: &mut Errors) {
         let mut seen: Vec<&Ident> = Vec::new();
         for name in self.locked.iter().map(|locked| &locked.name) {

@@ -1,8 +1,8 @@
-//! The elements of a text, or what is wrong with it.
+//! The elements of a text, or its first error.
 
 use roxmltree::{Document, Error};
 
-/// The elements of a text, or what is wrong with it: a line and a message.
+/// The elements of a text, or its first error: a line and a message.
 pub fn parse(text: &str) -> Result<Document<'_>, (usize, String)> {
     Document::parse(text).map_err(|error| {
         // the place is said in front
@@ -44,14 +44,14 @@ pub fn parse(text: &str) -> Result<Document<'_>, (usize, String)> {
     })
 }
 
-/// What begins with these characters, and ends with those.
+/// Marked parts: their first and last characters, and their names.
 const MARKED: [(&str, &str, &str); 3] = [
     ("<!--", "-->", "a comment"),
     ("<![CDATA[", "]]>", "`<![CDATA[`"),
     ("<?", "?>", "`<?`"),
 ];
 
-/// What a text that breaks off does not close: its line and a message.
+/// The part that a text leaves open at its end: its line and a message.
 fn open_at_end(text: &str) -> Option<(usize, String)> {
     let mut open: Vec<(usize, &str)> = Vec::new();
     let broken = |place: usize, what: &str| {
@@ -94,7 +94,7 @@ fn open_at_end(text: &str) -> Option<(usize, String)> {
     Some((line_of(text, place), message))
 }
 
-/// Of a tag, to the `>` that stands in no value of an attribute.
+/// The length of a tag, to the `>` outside of the values of attributes.
 fn length_of_tag(text: &str) -> Option<usize> {
     let mut quote = None;
     for (place, c) in text.char_indices() {

@@ -1,4 +1,4 @@
-//! Elements and attributes of a file, with what is wrong with them.
+//! Elements and attributes of a file, and their errors.
 
 use proc_macro2::{Ident, Span};
 use roxmltree::Node;
@@ -17,16 +17,16 @@ const ATTRIBUTES: [&str; 12] = [
 pub struct Reader<'e> {
     /// The path as it is written.
     pub file: &'e str,
-    /// Of the string that names it.
+    /// The place of the string that names it.
     pub span: Span,
     pub errors: &'e mut Errors,
     /// Where each line begins.
     lines: Vec<usize>,
-    /// What is read, such as ``of link `arm` ``.
+    /// The part that is read, such as ``of link `arm` ``.
     pub owner: String,
     /// Elements that mean nothing here, each once.
     pub skipped: Vec<String>,
-    /// Names of what is reported and not read.
+    /// Names of elements that were reported and are not read.
     pub lost: Vec<String>,
     /// Whether there may be others.
     pub has_lost_names: bool,
@@ -53,7 +53,7 @@ impl<'e> Reader<'e> {
         1 + self.lines.partition_point(|line| *line <= start)
     }
 
-    /// What errors about an element underline, and how they begin.
+    /// The place of errors about an element, and their beginning.
     pub fn at(&mut self, node: Node<'_, '_>) -> Extent {
         let (file, line) = (self.file, self.line(node));
         let (tag, owner) = (node.tag_name().name(), &self.owner);
@@ -66,7 +66,7 @@ impl<'e> Reader<'e> {
         self.errors.report(place, message)
     }
 
-    /// Reports a name of nothing, unless what is reported already may have it.
+    /// Reports an unknown name, unless an element that was already reported may have it.
     pub fn no_such<'n, T>(
         &mut self,
         node: Node<'_, '_>,
@@ -80,8 +80,8 @@ impl<'e> Reader<'e> {
         self.report(node, format!("there is no {what} `{name}`{hint}"))
     }
 
-    /// The elements in `node`: of each word of `known` all; what is none of them is skipped, and
-    /// said to be, or taken for a misspelt one.
+    /// All elements in `node` with a word of `known`. Any other is reported as misspelt, or is
+    /// skipped and listed.
     pub fn children<'n, 'd>(
         &mut self,
         node: Node<'n, 'd>,

@@ -180,51 +180,31 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
             Self::StepTooSmall { time, state, step } => (time, state, Some(step)),
             other => return other,
         };
-        let rate = state.rate(&body.acceleration(time, &state, input));
-        let there = |after: f64| (time + after, state.moved(&(rate * after)));
         let nearest = f64::EPSILON * time.abs().max(1e-6);
-        let nearest = if forwards { nearest } else { -nearest };
-        let ahead =
-            |doublings: i32| (0..doublings).map(|power| nearest * libm::exp2(f64::from(power)));
-        let impossible = |after: f64| {
-            let (time, there) = there(after);
-            let invalid = body.possible(time, &there, input).err();
-            invalid.filter(|invalid| !invalid.is_of_no_number())
+        let ahead = Ahead {
+            body,
+            input,
+            time,
+            rate: state.rate(&body.acceleration(time, &state, input)),
+            nearest: if forwards { nearest } else { -nearest },
+            state: &state,
         };
-        let lost = |after: f64| {
-            let (time, there) = there(after);
-            // an impossible body is not the fault of a load
-            let invalid = body.possible(time, &there, input).err();
-            if invalid.is_some_and(|invalid| !invalid.is_of_no_number()) {
-                return None;
-            }
-            body.lost_load(time, &there, input)
-        };
-        let ran_out = impossible(0.0);
-        let load = match (too_small, ran_out) {
-            (None, None) => {
-                let here = body.lost_load(time, &state, input);
-                // a NaN rate leads nowhere
-                here.or_else(|| {
-                    let leads = lost(0.0).is_none();
-                    leads.then(|| ahead(DOUBLINGS).find_map(lost)).flatten()
-                })
-            }
-            _ => None,
+        let ran_out = ahead.impossible(0.0);
+        let load = if too_small.is_none() && ran_out.is_none() {
+            ahead.lost_load()
+        } else {
+            None
         };
         if load.is_some() {
             return Self::NotFinite { time, state, load };
         }
-        let reach = DOUBLINGS
-            + if too_small.is_none() {
-                WITHIN_A_STEP
-            } else {
-                0
-            };
-        match (
-            ran_out.or_else(|| ahead(reach).find_map(impossible)),
-            too_small,
-        ) {
+        let within_a_step = too_small.map_or(WITHIN_A_STEP, |_| 0);
+        let later = || {
+            let mut times = ahead.times(DOUBLINGS + within_a_step);
+            times.find_map(|after| ahead.impossible(after))
+        };
+        let ran_out = ran_out.or_else(later);
+        match (ran_out, too_small) {
             (Some(invalid), _) => Self::InvalidBody {
                 time,
                 state,
@@ -233,6 +213,54 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
             (None, Some(step)) => Self::StepTooSmall { time, state, step },
             (None, None) => Self::NotFinite { time, state, load },
         }
+    }
+}
+
+/// Where the motion leads from a state, at the rate that it has there.
+struct Ahead<'b, B: RigidBody> {
+    body: &'b B,
+    input: &'b B::Input,
+    time: f64,
+    state: &'b B::State,
+    rate: <B::State as State>::Rate,
+    /// The rounding of time \[s\], negative backwards.
+    nearest: f64,
+}
+
+impl<B: RigidBody<Scalar = f64, State: State<Scalar = f64>>> Ahead<'_, B> {
+    /// Doubled again and again, from the rounding of time on \[s\].
+    fn times(&self, doublings: i32) -> impl Iterator<Item = f64> {
+        let nearest = self.nearest;
+        (0..doublings).map(move |power| nearest * libm::exp2(f64::from(power)))
+    }
+
+    fn after(&self, after: f64) -> (f64, B::State) {
+        (self.time + after, self.state.moved(&(self.rate * after)))
+    }
+
+    /// The reason why there is no such body, if there is none.
+    fn impossible(&self, after: f64) -> Option<InvalidBody> {
+        let (time, state) = self.after(after);
+        let invalid = self.body.possible(time, &state, self.input).err();
+        invalid.filter(|invalid| !invalid.is_of_no_number())
+    }
+
+    /// A load without a value; an impossible body is not the fault of a load.
+    fn lost(&self, after: f64) -> Option<&'static str> {
+        if self.impossible(after).is_some() {
+            return None;
+        }
+        let (time, state) = self.after(after);
+        self.body.lost_load(time, &state, self.input)
+    }
+
+    /// A load without a value here, or just ahead.
+    fn lost_load(&self) -> Option<&'static str> {
+        let here = self.body.lost_load(self.time, self.state, self.input);
+        // a NaN rate leads nowhere
+        let leads = || self.lost(0.0).is_none();
+        let ahead = || self.times(DOUBLINGS).find_map(|after| self.lost(after));
+        here.or_else(|| leads().then(ahead).flatten())
     }
 }
 

@@ -83,7 +83,8 @@ fn needed(
         .map(|joint| joint.open.clone())
         .collect();
     for joint in system.joints.iter_mut().filter(|joint| !joint.is_driven()) {
-        joint.open.fill(Some(joint.name.clone()));
+        let name = joint.name.clone();
+        joint.open.fill(Some(name));
     }
     let mut found = derive_system_inverse(system, work, equations, errors).into_iter();
     let joints = system.joints.iter_mut().zip(written);

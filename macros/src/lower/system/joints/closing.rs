@@ -2,30 +2,32 @@
 
 use crate::errors::Errors;
 use crate::lower::system::reading::reader::Reader;
-use crate::model::{Axes, Closing};
+use crate::model::{Axes, Connection};
 use crate::syntax::call;
 
 use super::axes::across;
-use super::joint::Written;
+use super::joint::ReadJoint;
 
 impl Reader<'_> {
     /// Separates the joints that close loops from the others.
     pub fn closings(
         &mut self,
         closing: &[usize],
-        mut joints: Vec<Option<Written>>,
+        mut joints: Vec<Option<ReadJoint>>,
         errors: &mut Errors,
-    ) -> (Vec<Closing>, Vec<Option<Written>>) {
+    ) -> (Vec<Connection>, Vec<Option<ReadJoint>>) {
         let mut closings = Vec::new();
         for index in closing {
             self.members.joints[*index].closes = true;
             let Some(written) = joints[*index].take() else {
                 continue;
             };
-            let mut directions = written.directions;
-            if let (Axes::Written(1), false, [axis]) =
-                (written.kind.axes, self.system.is_planar, &*directions)
-            {
+            let mut connection = written.connection;
+            if let (Axes::Written(1), false, [axis]) = (
+                connection.kind.axes,
+                self.system.is_planar,
+                &*connection.directions,
+            ) {
                 let Some(both) = across(&mut self.work.graph, *axis) else {
                     errors.push(
                         written.mention,
@@ -34,9 +36,9 @@ impl Reader<'_> {
                     );
                     continue;
                 };
-                directions.extend(both);
+                connection.directions.extend(both);
             }
-            if written
+            if connection
                 .pitch
                 .is_some_and(|pitch| self.work.graph.is_zero(pitch))
             {
@@ -48,17 +50,7 @@ impl Reader<'_> {
                 );
                 continue;
             }
-            closings.push(Closing {
-                name: written.name,
-                kind: written.kind,
-                carrier: written.carrier,
-                carried: written.carried,
-                place: written.place,
-                pin: written.pin,
-                directions,
-                pitch: written.pitch,
-                turned: written.turned,
-            });
+            closings.push(connection);
         }
         (closings, joints)
     }

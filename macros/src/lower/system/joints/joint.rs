@@ -1,27 +1,20 @@
 //! The joints of a system, as written.
 
+use core::ops::Deref;
+
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, hint, hint_of_joint};
 use crate::lower::expressions::{JointNames, Value};
-use crate::model::{Dimension, Frame, Holds, JointKind, Rates, Variable};
+use crate::model::{Connection, Dimension, Frame, Holds, JointKind, Rates, Variable};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{CABLE, Called, Definition, Expression, Kind, LINK, call};
 
 use crate::lower::system::reading::reader::Reader;
 
-/// A joint after reading: its place, and its parts.
-pub struct Written {
-    pub name: Ident,
-    pub kind: &'static JointKind,
-    pub carrier: Option<usize>,
-    pub carried: usize,
-    pub place: Components,
-    pub pin: Components,
-    pub directions: Vec<Components>,
-    pub pitch: Option<Id>,
-    /// Axes and angles, the first one in the carrier's axes.
-    pub turned: Vec<(Components, Id)>,
+/// A joint after reading, of which it is not known yet whether it carries a body or closes a loop.
+pub struct ReadJoint {
+    pub connection: Connection,
     /// The motion of its coordinates, if it is prescribed.
     pub driven: Option<Rates>,
     /// The inertia along its coordinate alone.
@@ -30,7 +23,15 @@ pub struct Written {
     pub mention: proc_macro2::Span,
 }
 
-impl Written {
+impl Deref for ReadJoint {
+    type Target = Connection;
+
+    fn deref(&self) -> &Connection {
+        &self.connection
+    }
+}
+
+impl ReadJoint {
     /// The acceleration along a freedom, given as its rate, if it is prescribed.
     pub fn given(&self, (rate, part): (Variable, usize)) -> Option<Id> {
         let acceleration = match rate {
@@ -101,7 +102,7 @@ fn check_count(
 
 impl Reader<'_> {
     /// Reads all joints; an error in one hides no other.
-    pub fn joints(&mut self, errors: &mut Errors) -> Vec<Option<Written>> {
+    pub fn joints(&mut self, errors: &mut Errors) -> Vec<Option<ReadJoint>> {
         let written: Vec<&Definition> = self.system.joints.iter().collect();
         written
             .into_iter()
@@ -109,7 +110,7 @@ impl Reader<'_> {
             .collect()
     }
 
-    fn joint(&mut self, joint: &Definition, errors: &mut Errors) -> Option<Written> {
+    fn joint(&mut self, joint: &Definition, errors: &mut Errors) -> Option<ReadJoint> {
         self.members.joints.push(JointNames {
             name: joint.name.to_string(),
             values: Vec::new(),
@@ -142,7 +143,7 @@ impl Reader<'_> {
         let driven = self.driven(kind, &methods, errors);
         let armature = self.armature(kind, &methods, errors);
         let (turned, driven) = (turned?, driven?);
-        Some(Written {
+        let connection = Connection {
             name: joint.name.clone(),
             kind,
             carrier: carrier.0,
@@ -152,6 +153,9 @@ impl Reader<'_> {
             directions: directions?,
             pitch: pitch?,
             turned,
+        };
+        Some(ReadJoint {
+            connection,
             driven,
             armature: armature?,
             mention: first_name(&arguments[1]).unwrap_or_else(|| joint.name.span()),
@@ -196,7 +200,7 @@ impl Reader<'_> {
         body: &Expression,
         methods: &[(&Ident, &[Expression])],
         errors: &mut Errors,
-    ) -> Option<Written> {
+    ) -> Option<ReadJoint> {
         if let Some((method, _)) = methods.first() {
             errors.push(method.span(), format!("nothing follows `{}`", kind.form));
             return None;
@@ -231,7 +235,7 @@ impl Reader<'_> {
             return None;
         };
         let zeros = self.work.graph.zeros();
-        Some(Written {
+        let connection = Connection {
             name: joint.name.clone(),
             kind,
             carrier: None,
@@ -241,6 +245,9 @@ impl Reader<'_> {
             directions: self.work.graph.unit_vectors().to_vec(),
             pitch: None,
             turned: Vec::new(),
+        };
+        Some(ReadJoint {
+            connection,
             driven: None,
             armature: None,
             mention: name.span(),

@@ -1,17 +1,17 @@
 //! The motion of the bodies of a tree: their states, from the ground to the tips.
 
 use crate::model::{
-    Attitude, Coordinate, Frame, Meaning, Part, Rates, Shape, State, TreeJoint, Variable, Vector,
-    Workspace,
+    Attitude, Connection, Coordinate, Frame, Meaning, Part, Rates, Shape, State, TreeJoint,
+    Variable, Vector, Workspace,
 };
 use crate::symbolic::{Components, Function, Graph, Id, Stage};
 
-use super::joint::Written;
+use super::joint::ReadJoint;
 use crate::lower::system::reading::body::Draft;
 use crate::lower::system::reading::reader::{Reader, still};
 
 /// The motion of a body in the making: the place of its joint, and its motion.
-struct Moving {
+struct MotionInMaking {
     frame: Frame,
     position: Vector,
     velocity: Vector,
@@ -34,10 +34,9 @@ impl Reader<'_> {
     pub fn motions(
         &mut self,
         order: Vec<usize>,
-        joints: Vec<Option<Written>>,
+        mut joints: Vec<Option<ReadJoint>>,
         drafts: &mut [Draft<'_>],
     ) -> Vec<TreeJoint> {
-        let mut joints: Vec<Option<Written>> = joints;
         let mut tree = Vec::new();
         for index in order {
             let Some(written) = joints[index].take() else {
@@ -52,7 +51,7 @@ impl Reader<'_> {
         tree
     }
 
-    fn motion(&mut self, written: Written, drafts: &mut [Draft<'_>]) -> TreeJoint {
+    fn motion(&mut self, written: ReadJoint, drafts: &mut [Draft<'_>]) -> TreeJoint {
         let (kind, body) = (written.kind, drafts[written.carried].frame);
         let work = &mut self.work;
         let components = kind.shape.into_iter().flat_map(Shape::components);
@@ -63,7 +62,7 @@ impl Reader<'_> {
         let carrier = written
             .carrier
             .and_then(|carrier| drafts[carrier].state.as_ref());
-        let mut moving = Moving::at_joint(work, carrier, written.place);
+        let mut moving = MotionInMaking::at_joint(work, carrier, written.place);
         if self.follows_accelerations {
             moving.accelerations = Some(accelerations_at(work, carrier, written.place));
         }
@@ -90,15 +89,7 @@ impl Reader<'_> {
         let given = freedoms.iter().map(|freedom| written.given(*freedom));
         let given = given.collect();
         TreeJoint {
-            name: written.name,
-            kind,
-            carrier: written.carrier,
-            carried: written.carried,
-            place: written.place,
-            pin: written.pin,
-            directions: written.directions,
-            pitch: written.pitch,
-            turned: written.turned,
+            connection: written.connection,
             frames,
             coordinates,
             given,
@@ -150,7 +141,7 @@ fn thrown(
     graph.add_vectors(driven, drawn)
 }
 
-impl Moving {
+impl MotionInMaking {
     /// The place of a joint on the ground, or on a body with this motion.
     fn at_joint(work: &mut Workspace, carrier: Option<&State>, place: Components) -> Self {
         let Some(state) = carrier else {
@@ -179,7 +170,7 @@ impl Moving {
         &mut self,
         work: &mut Workspace,
         body: Frame,
-        joint: &Written,
+        joint: &Connection,
         coordinates: &Rates,
     ) -> Vec<Frame> {
         let zeros = work.graph.zeros();
@@ -250,7 +241,7 @@ impl Moving {
         work: &mut Workspace,
         frame: Frame,
         (part, coordinate): (Part, usize),
-        joint: &Written,
+        joint: &Connection,
         of: &Rates,
     ) {
         let zero = work.graph.zero();

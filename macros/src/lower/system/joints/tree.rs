@@ -3,7 +3,7 @@
 use crate::errors::Errors;
 use crate::model::Holds;
 
-use super::joint::Written;
+use super::joint::ReadJoint;
 use crate::lower::system::reading::reader::Reader;
 
 impl Reader<'_> {
@@ -11,7 +11,7 @@ impl Reader<'_> {
     /// loops: the first written joint of a body carries it.
     pub fn tree(
         &self,
-        joints: &[Option<Written>],
+        joints: &[Option<ReadJoint>],
         errors: &mut Errors,
     ) -> (Vec<usize>, Vec<usize>) {
         let bodies = &self.system.bodies;
@@ -53,7 +53,7 @@ impl Reader<'_> {
     /// The joint that carries each body, and the joints that close loops.
     fn carriers(
         &self,
-        joints: &[Option<Written>],
+        joints: &[Option<ReadJoint>],
         is_sound: &mut bool,
         errors: &mut Errors,
     ) -> (Vec<Option<usize>>, Vec<usize>) {
@@ -89,7 +89,7 @@ impl Reader<'_> {
 }
 
 /// Whether a joint may close a loop, or why not.
-fn may_close(joint: &Written) -> Result<(), &'static str> {
+fn may_close(joint: &ReadJoint) -> Result<(), &'static str> {
     if joint.kind.holds == Holds::Center {
         Err("what is joined to the ground by its G has no other joint: leave one of both out")
     } else if joint.armature.is_some() {
@@ -108,7 +108,7 @@ fn may_close(joint: &Written) -> Result<(), &'static str> {
 }
 
 /// Orders joints after those that carry their carriers, with the bodies that they carry.
-fn in_order(joints: &[Option<Written>], carried_by: &[Option<usize>]) -> (Vec<usize>, Vec<bool>) {
+fn in_order(joints: &[Option<ReadJoint>], carried_by: &[Option<usize>]) -> (Vec<usize>, Vec<bool>) {
     let mut order: Vec<usize> = Vec::new();
     let mut placed = vec![false; carried_by.len()];
     loop {

@@ -4,6 +4,7 @@ use std::collections::HashSet;
 use std::ops::Range;
 
 use crate::errors::{Errors, Extent, every, silently};
+use crate::families::LoadKind;
 use crate::lower::definitions::{Definition, check_names, definition_order, split_at_points};
 use crate::lower::expressions::{BodyNames, Lowering, Scope, Value};
 use crate::model::{
@@ -125,8 +126,8 @@ impl<'a> Reader<'a> {
 
     /// An unknown state, before the system moves.
     fn unknown_state(&mut self, frame: Frame) -> State {
-        let axes = if self.system.is_planar { 0..2 } else { 0..3 };
-        let turning = if self.system.is_planar { 2..3 } else { 0..3 };
+        let kinds = [LoadKind::Force, LoadKind::Moment];
+        let [axes, turning] = kinds.map(|kind| kind.axes(self.system.is_planar));
         let still = still(frame, self.time);
         let work = &mut self.work;
         let mut unknown =

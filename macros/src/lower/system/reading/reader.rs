@@ -6,8 +6,8 @@ use crate::errors::Errors;
 use crate::lower::definitions::{Definition, INVERSE, check_names, definition_order};
 use crate::lower::expressions::{Lowering, Members, Offset, Scope, Value};
 use crate::model::{
-    Declared, Defaults, Drawn, Frame, Kept, Meaning, Motion, Outline, PLANAR, Point, SPATIAL,
-    State, Vector, Workspace,
+    Constraints, Declared, Defaults, Drawn, Frame, Meaning, Motion, Outline, PLANAR, Point,
+    SPATIAL, State, Vector, Workspace,
 };
 use crate::symbolic::{Id, Stage};
 use crate::syntax;
@@ -34,7 +34,7 @@ pub struct Reader<'a> {
     /// The number of given derivatives of each input.
     pub derivatives: Vec<usize>,
     /// The constraints read so far; `None` if one of them was reported.
-    pub kept: Option<Kept>,
+    pub kept: Option<Constraints>,
     /// The index of the load of the first constraint among the parts of reactions.
     pub first_load: usize,
 }
@@ -63,7 +63,7 @@ impl<'a> Reader<'a> {
             time,
             defaults: Defaults::new(),
             derivatives: Vec::new(),
-            kept: Some(Kept::default()),
+            kept: Some(Constraints::default()),
             first_load: 2 * outline.holding.len(),
         }
     }

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use crate::model::{System, TreeJoint, Variable, Workspace};
 use crate::symbolic::{Coordinate, Id};
 
-use super::super::constraints::Row;
+use super::super::constraints::ConstraintRow;
 use super::numbers::{Random, Span, solve};
 
 /// The number of initial states, and the limit of steps from each.
@@ -27,7 +27,7 @@ pub struct Coordinates {
 /// The rows, and the coordinates on which they depend.
 pub struct Assembly<'a> {
     work: &'a Workspace,
-    rows: Vec<&'a Row>,
+    rows: Vec<&'a ConstraintRow>,
     rates: &'a [Id],
     coordinates: &'a [Coordinate],
     attitudes: Vec<[Id; 4]>,
@@ -42,7 +42,7 @@ impl<'a> Assembly<'a> {
         system: &System,
         work: &'a Workspace,
         coordinates: &'a Coordinates,
-        rows: Vec<&'a Row>,
+        rows: Vec<&'a ConstraintRow>,
     ) -> Self {
         let open = system.joints.iter().filter(|joint| !joint.is_driven());
         let attitude = |joint: &TreeJoint| {
@@ -62,8 +62,8 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// Which rows are independent of those before them in closed states that move, if these are
-    /// fewer there than elsewhere.
+    /// Whether each row is independent of those before it in closed states that move. `None` if as
+    /// many rows are independent there as elsewhere.
     pub fn independent(&self) -> Option<Vec<bool>> {
         // without open coordinates nothing moves
         if self.rates.is_empty() {
@@ -127,7 +127,7 @@ impl<'a> Assembly<'a> {
             .collect()
     }
 
-    /// Which rows are independent of those before them, and their span.
+    /// Whether each row is independent of those before it, and the span of all.
     fn spanned(&self, values: &Values) -> (Vec<bool>, Span) {
         let mut span = Span::default();
         let rows = self.slopes(values).into_iter();

@@ -17,7 +17,7 @@ use crate::mechanics::tree::MassMatrix;
 use crate::model::Workspace;
 use crate::symbolic::{Equation, Graph, Id};
 
-use super::super::constraints::Row;
+use super::super::constraints::ConstraintRow;
 use super::eliminated::{Following, Found, equations};
 use super::guard::{Closeness, guard};
 use super::known::Keeper;
@@ -36,8 +36,8 @@ impl Group {
     }
 }
 
-/// Groups of rows, of which these are independent of those before them.
-pub fn groups(graph: &Graph, kept: &[(Keeper, Row)], independent: &[bool]) -> Vec<Group> {
+/// Groups of rows. `independent` marks the rows that are independent of those before them.
+pub fn groups(graph: &Graph, kept: &[(Keeper, ConstraintRow)], independent: &[bool]) -> Vec<Group> {
     let mut groups: Vec<(Option<(usize, bool)>, Group)> = Vec::new();
     for (number, ((keeper, _), is_new)) in kept.iter().zip(independent).enumerate() {
         let own = keeper.joint_part(graph);
@@ -82,7 +82,7 @@ struct Left {
 pub fn dependent(
     work: &mut Workspace,
     matrix: &MassMatrix,
-    kept: &[(Keeper, Row)],
+    kept: &[(Keeper, ConstraintRow)],
     groups: Vec<Group>,
     (rates, is_turning): (&[Id], &[bool]),
 ) -> Option<Found> {
@@ -146,11 +146,11 @@ fn by_row(graph: &Graph, rows: &[usize], (first, others): (&[Id], &[Id])) -> Vec
 fn left(
     work: &mut Workspace,
     matrix: &MassMatrix,
-    kept: &[(Keeper, Row)],
+    kept: &[(Keeper, ConstraintRow)],
     (full, groups): (&[usize], Vec<Group>),
 ) -> Option<Left> {
     let count = matrix.driving.len();
-    let held: Vec<&Row> = full.iter().map(|row| &kept[*row].1).collect();
+    let held: Vec<&ConstraintRow> = full.iter().map(|row| &kept[*row].1).collect();
     let following = Following {
         loads: &vec![None; held.len()],
         accelerations: &[],
@@ -257,7 +257,7 @@ fn combined(graph: &mut Graph, base: &[Id], units: &[Vec<Id>], factors: &[Id]) -
 fn guard_of(
     graph: &mut Graph,
     left: &Left,
-    (kept, loads): (&[(Keeper, Row)], &[Id]),
+    (kept, loads): (&[(Keeper, ConstraintRow)], &[Id]),
     (closeness, solver): (&Closeness, &Solver),
 ) -> Option<Id> {
     let count = kept.first()?.1.slopes.len();

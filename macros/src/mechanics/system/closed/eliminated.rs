@@ -4,8 +4,8 @@ use crate::mechanics::tree::MassMatrix;
 use crate::model::Workspace;
 use crate::symbolic::{Equation, Id, Size};
 
-use super::super::constraints::{Row, split};
-use super::super::reduced::{Kept, together};
+use super::super::constraints::{ConstraintRow, split};
+use super::super::reduced::{LoadedRow, together};
 use super::known::Keeper;
 use super::unsettled::{open, without_column};
 
@@ -31,9 +31,9 @@ pub struct Found {
 /// The symbols on which loads may depend.
 #[derive(Clone, Copy)]
 pub struct Following<'a> {
-    /// Of the loads of rows.
+    /// The symbols of the loads of rows.
     pub loads: &'a [Option<Id>],
-    /// Of the accelerations of the open freedoms.
+    /// The symbols of the accelerations of open freedoms.
     pub accelerations: &'a [Id],
 }
 
@@ -41,11 +41,11 @@ pub struct Following<'a> {
 pub fn eliminated(
     work: &mut Workspace,
     matrix: &MassMatrix,
-    kept: &[(Keeper, Row)],
+    kept: &[(Keeper, ConstraintRow)],
     following: Following<'_>,
 ) -> Found {
     let count = matrix.driving.len();
-    let rows: Vec<&Row> = kept.iter().map(|(_, row)| row).collect();
+    let rows: Vec<&ConstraintRow> = kept.iter().map(|(_, row)| row).collect();
     let equations = equations(work, matrix, &rows, following);
     let solved = work.graph.solve(equations.clone(), count + kept.len());
     // balanced combinations: a unit of each undetermined load, with the required loads of others
@@ -77,7 +77,7 @@ pub fn eliminated(
 pub fn equations(
     work: &mut Workspace,
     matrix: &MassMatrix,
-    constraints: &[&Row],
+    constraints: &[&ConstraintRow],
     Following {
         loads: followed,
         accelerations,
@@ -105,7 +105,7 @@ pub fn equations(
             let follows = number.map_or(zero, |number| following[number][freedom]);
             work.graph.add(*slope, follows)
         });
-        Kept {
+        LoadedRow {
             pushes: pushes.collect(),
             slopes: row.slopes.clone(),
             right: work.graph.negate(row.bias),
@@ -115,7 +115,7 @@ pub fn equations(
                 .map_or(zero, |active| work.graph.select(active, zero, one)),
         }
     });
-    let rows: Vec<Kept> = rows.collect();
+    let rows: Vec<LoadedRow> = rows.collect();
     // without dependent loads, the remainder of their rows is `-A M^-1 A^T`
     let of_load = if is_followed || is_fed_back {
         Size::Beside
@@ -124,8 +124,8 @@ pub fn equations(
     };
     let mut equations = together(work, (&masses, &driving), &rows, of_load);
     if is_fed_back {
-        // the contribution of loads to masses need not be positive; slopes of rows cancel where loops
-        // are closed, so masses are divided by first
+        // the contribution of loads to masses need not be positive; slopes of rows cancel where
+        // loops are closed, so masses are divided by first
         let size = if rows.is_empty() {
             Size::Terms
         } else {

@@ -3,7 +3,7 @@
 
 use crate::symbolic::{Graph, Id, Number};
 
-use super::super::constraints::Row;
+use super::super::constraints::ConstraintRow;
 use super::known::Keeper;
 
 /// The possible rounding of a row, relative to its terms.
@@ -26,7 +26,7 @@ impl Closeness {
     /// By joints; `is_turning` are the rotational coordinates, whose slopes are lengths.
     pub fn of(
         graph: &mut Graph,
-        kept: &[(Keeper, Row)],
+        kept: &[(Keeper, ConstraintRow)],
         rates: &[Id],
         is_turning: &[bool],
     ) -> Self {
@@ -34,7 +34,8 @@ impl Closeness {
         let mut rest = kept;
         while let Some((keeper, _)) = rest.first() {
             let own = keeper.joint_part(graph);
-            let is_same = |one: &&(Keeper, Row)| own.is_some() && one.0.joint_part(graph) == own;
+            let is_same =
+                |one: &&(Keeper, ConstraintRow)| own.is_some() && one.0.joint_part(graph) == own;
             let count = rest.iter().take_while(is_same).count().max(1);
             let (group, others) = rest.split_at(count);
             rest = others;
@@ -74,7 +75,7 @@ impl Closeness {
 pub fn guard(
     graph: &mut Graph,
     (lacking, terms): (Id, Id),
-    (rows, closeness): (&[&Row], &Closeness),
+    (rows, closeness): (&[&ConstraintRow], &Closeness),
     divisor: Id,
 ) -> Option<Id> {
     if graph.as_number(divisor).is_some() {

@@ -7,7 +7,7 @@ use crate::symbolic::{Graph, Id};
 
 use super::super::constraints::Ends;
 use super::super::plane::{Absolute, Arms, derive_masses, of_hinge, of_row, shortest};
-use super::super::reduced::{Balance, Held, Reduced, loads, reduce};
+use super::super::reduced::{Balance, LinearRow, Reduced, loads, reduce};
 use super::eliminated::Found;
 use super::known::{Keeper, Known};
 
@@ -51,7 +51,7 @@ fn rows(
     known: &Known<'_>,
     absolute: &Absolute,
     arms: &mut Arms<'_>,
-) -> Vec<(Option<usize>, Held)> {
+) -> Vec<(Option<usize>, LinearRow)> {
     let mut rows = Vec::new();
     for (number, ends) in known.ends.iter().enumerate() {
         if let [Part::Turn(_)] = ends.closing.kind.parts {
@@ -83,9 +83,9 @@ fn resolve(
     work: &mut Workspace,
     known: &Known<'_>,
     (absolute, arms): (&Absolute, &mut Arms<'_>),
-    rows: &[(Option<usize>, Held)],
+    rows: &[(Option<usize>, LinearRow)],
 ) -> Option<Reduced> {
-    let held: Vec<Held> = rows.iter().map(|(_, row)| row.clone()).collect();
+    let held: Vec<LinearRow> = rows.iter().map(|(_, row)| row.clone()).collect();
     let mut carrying: Vec<usize> = (0..known.ends.len()).collect();
     loop {
         let balances = balances(&mut work.graph, known, (absolute, arms), &carrying);

@@ -4,10 +4,12 @@ use crate::mechanics::following::unknowns_in;
 use crate::mechanics::tree::Built;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::variation::Direction;
-use crate::model::{Closing, Frame, System, Workspace};
+use crate::model::{Connection, Frame, System, Workspace};
 use crate::symbolic::{Components, Graph, Id};
 
-use super::super::constraints::{Ends, Placed, Row, place_links, rows_of_joint, rows_of_written};
+use super::super::constraints::{
+    ConstraintRow, Ends, Placed, place_links, rows_of_joint, rows_of_written,
+};
 
 /// The origin of a row.
 pub enum Keeper {
@@ -23,11 +25,11 @@ pub struct Known<'a> {
     /// Its tree, with the accelerations of free links along world axes.
     pub in_world: Tree,
     pub placed: Vec<Placed>,
-    /// Of the joints that close loops.
+    /// The ends of the joints that close loops.
     pub ends: Vec<Ends<'a>>,
-    pub kept: Vec<(Keeper, Row)>,
+    pub kept: Vec<(Keeper, ConstraintRow)>,
     /// The rows that say nothing of accelerations.
-    pub idle: Vec<(Keeper, Row)>,
+    pub idle: Vec<(Keeper, ConstraintRow)>,
 }
 
 impl<'a> Known<'a> {
@@ -46,7 +48,7 @@ impl<'a> Known<'a> {
         let ends: Vec<Ends<'_>> = closings
             .map(|closing| ends(system, work, built, closing))
             .collect();
-        let mut rows: Vec<(Keeper, Row)> = Vec::new();
+        let mut rows: Vec<(Keeper, ConstraintRow)> = Vec::new();
         for (number, ends) in ends.iter().enumerate() {
             let own = rows_of_joint(&mut work.graph, &built.tree, &placed, ends).into_iter();
             rows.extend(own.map(|one| (Keeper::Joint(number, [one.force, one.moment]), one.row)));
@@ -80,7 +82,7 @@ impl<'a> Known<'a> {
 }
 
 impl Keeper {
-    /// Of a joint, its number, and whether it is a moment that keeps this.
+    /// For a joint, its number, and whether a moment keeps the row.
     pub fn joint_part(&self, graph: &Graph) -> Option<(usize, bool)> {
         match self {
             Self::Joint(number, [force, _]) => Some((*number, graph.is_zero_vector(force))),
@@ -88,7 +90,7 @@ impl Keeper {
         }
     }
 
-    /// Of a written constraint, its number.
+    /// For a written constraint, its number.
     pub fn number(&self) -> Option<usize> {
         match self {
             Self::Joint(..) => None,
@@ -98,7 +100,7 @@ impl Keeper {
 
     /// Whether a row says nothing of accelerations. One of a joint that holds in all states, as
     /// those of parallel axes in space do, has any load.
-    pub fn is_idle(&self, work: &Workspace, row: &Row) -> bool {
+    pub fn is_idle(&self, work: &Workspace, row: &ConstraintRow) -> bool {
         let rest = [row.rate, row.bias].into_iter().chain(row.value);
         let mut parts = row.slopes.iter().copied();
         let vanishes = |part: Id| work.graph.vanishes(part);
@@ -113,7 +115,7 @@ fn ends<'a>(
     system: &'a System,
     work: &mut Workspace,
     built: &Built,
-    closing: &'a Closing,
+    closing: &'a Connection,
 ) -> Ends<'a> {
     let offset = |work: &mut Workspace, body: Option<usize>, place: Components| match body {
         None => place,

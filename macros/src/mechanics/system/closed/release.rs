@@ -4,8 +4,10 @@
 //! A released direction carries nothing. If the parts along it of the self-balancing loads are
 //! independent, and as many as these loads, none of them remains; and the motion is unchanged.
 
+use std::iter;
+
 use crate::mechanics::proofs::samples;
-use crate::model::{AXES, System, Workspace};
+use crate::model::{AXES, System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Graph, Id, Residue};
 
 use super::unsettled::{Spare, Unsettled};
@@ -91,7 +93,7 @@ fn one_by_one(ways: &[Way<Residue>], single: &[Way<Residue>]) -> Vec<String> {
     said
 }
 
-/// Those by other kinds of joints, and by links that are left out.
+/// The releases by other kinds of joints, and by links that are left out.
 fn ways(graph: &mut Graph, system: &System, unsettled: &Unsettled) -> Vec<Way<Id>> {
     let spare = &unsettled.spare;
     let mut ways = Vec::new();
@@ -118,7 +120,7 @@ fn ways(graph: &mut Graph, system: &System, unsettled: &Unsettled) -> Vec<Way<Id
     ways
 }
 
-/// Those by joints that close loops and are left out.
+/// The releases by joints that close loops and are left out.
 fn without_joints(system: &System, unsettled: &Unsettled) -> Vec<Way<Id>> {
     let closings = system.closings.iter().enumerate();
     let ways = closings.map(|(number, closing)| {
@@ -147,17 +149,14 @@ struct Holder {
 
 /// The joints of the tree, and then those that close loops.
 fn holders(system: &System) -> impl Iterator<Item = Holder> {
-    let tree = system.joints.iter().map(|joint| Holder {
+    let driven = system.joints.iter().map(TreeJoint::is_driven);
+    let driven = driven.chain(iter::repeat(false));
+    let joints = system.connections().zip(driven);
+    joints.map(|(joint, is_driven)| Holder {
         name: joint.name.to_string(),
         kind: joint.kind.word,
-        is_driven: joint.is_driven(),
-    });
-    let closings = system.closings.iter().map(|joint| Holder {
-        name: joint.name.to_string(),
-        kind: joint.kind.word,
-        is_driven: false,
-    });
-    tree.chain(closings)
+        is_driven,
+    })
 }
 
 /// The parts of all spare loads that a joint releases.
@@ -184,7 +183,7 @@ fn rows(
     }
 }
 
-/// Each component of what each joint carries, those that close loops first.
+/// Each component of the load of each joint, those that close loops first.
 fn components(graph: &Graph, system: &System, spare: &[Spare]) -> Vec<Way<Id>> {
     let mut ways = Vec::new();
     for (holder, joint) in holders(system)
@@ -284,7 +283,7 @@ fn search(
 struct Span(Vec<(usize, Vec<Residue>)>);
 
 impl Span {
-    /// With what a way releases; none if that is not all independent.
+    /// The span with the rows that a way releases; none if these are not all independent.
     fn with(&self, way: &Way<Residue>) -> Option<Self> {
         let mut larger = self.clone();
         let count = way.rows.iter().filter(|row| larger.take(row)).count();

@@ -8,7 +8,7 @@ use crate::mechanics::variation::Direction;
 use crate::model::{System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Graph, Id};
 
-use super::super::constraints::{Ends, Placed, Row, push_written, replace_in_tree};
+use super::super::constraints::{ConstraintRow, Ends, Placed, push_written, replace_in_tree};
 use super::assembly::{Assembly, Coordinates};
 use super::dependent::{dependent, groups};
 use super::eliminated::{Following, Found, eliminated};
@@ -18,8 +18,8 @@ use super::unsettled::{Spare, Unsettled, bare};
 
 /// The constraints of such a system, and their loads.
 pub struct Closed {
-    pub kept: Vec<(Keeper, Row)>,
-    /// Which of them others keep in closed states.
+    pub kept: Vec<(Keeper, ConstraintRow)>,
+    /// Whether each of them follows from the others in closed states.
     pub follows: Vec<bool>,
     /// The diagonal of the mass matrix of the tree.
     pub inertias: Vec<Id>,
@@ -38,7 +38,7 @@ pub struct Closed {
 
 impl Closed {
     /// All rows.
-    pub fn rows(&self) -> impl ExactSizeIterator<Item = &Row> {
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = &ConstraintRow> {
         self.kept.iter().map(|(_, row)| row)
     }
 }
@@ -195,7 +195,12 @@ fn spare(system: &System, work: &mut Workspace, known: &Known<'_>, found: &Found
 }
 
 /// By the loads of all rows.
-fn loads_of(system: &System, work: &mut Workspace, kept: &[(Keeper, Row)], found: &[Id]) -> Loads {
+fn loads_of(
+    system: &System,
+    work: &mut Workspace,
+    kept: &[(Keeper, ConstraintRow)],
+    found: &[Id],
+) -> Loads {
     let mut wrenches = vec![[work.graph.zeros(); 2]; system.closings.len()];
     let mut loads = vec![work.graph.zero(); system.constraints.list.len()];
     for ((keeper, _), load) in kept.iter().zip(found) {
@@ -214,15 +219,9 @@ fn loads_of(system: &System, work: &mut Workspace, kept: &[(Keeper, Row)], found
 
 /// The first axis of each joint that has one, world axes.
 fn axes(system: &System, work: &mut Workspace, known: &Known<'_>) -> Vec<Option<Components>> {
-    let tree = system
-        .joints
-        .iter()
-        .map(|joint| (joint.carried, &joint.directions));
-    let closings = system.closings.iter();
-    let closings = closings.map(|joint| (joint.carried, &joint.directions));
-    let axes = tree.chain(closings).map(|(body, directions)| {
-        let axis = directions.first()?;
-        let placed = &known.placed[known.built.body(body)];
+    let axes = system.connections().map(|joint| {
+        let axis = joint.directions.first()?;
+        let placed = &known.placed[known.built.body(joint.carried)];
         Some(placed.to_world(&mut work.graph, *axis))
     });
     axes.collect()

@@ -28,9 +28,9 @@ pub struct Unsettled {
 /// Loads that balance each other in all bodies: force and moment of each joint on the carried body,
 /// at its point there, world axes.
 pub struct Spare {
-    /// Of the joints that close loops.
+    /// The loads of joints that close loops.
     pub closings: Vec<[Components; 2]>,
-    /// Of those of the tree.
+    /// The loads of joints of the tree.
     pub joints: Vec<[Components; 2]>,
     /// The loads of written constraints.
     pub loads: Vec<Id>,

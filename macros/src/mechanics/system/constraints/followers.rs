@@ -38,7 +38,7 @@ pub fn check_followers(system: &System, work: &mut Workspace, errors: &mut Error
     (errors.count() == before).then_some(())
 }
 
-/// What is there without these symbols, and the slopes by each.
+/// The values with these symbols set to zero, and the slopes by each symbol.
 pub fn split(graph: &mut Graph, roots: &[Id], symbols: &[Id]) -> (Vec<Id>, Vec<Vec<Id>>) {
     let zero = graph.zero();
     let slopes = symbols

@@ -1,10 +1,10 @@
-//! What a joint that closes a loop holds, direction by direction.
+//! The directions that a joint that closes a loop holds, one by one.
 
 use crate::mechanics::tree::turning::Turning;
-use crate::model::{Closing, Part};
+use crate::model::{Connection, Part};
 use crate::symbolic::{Components, Function, Graph, Id};
 
-/// What is held: one constraint.
+/// One held direction, which is one constraint.
 #[derive(Clone, Copy)]
 pub enum Held {
     /// The point of the carried body, along a direction of the world.
@@ -17,7 +17,7 @@ pub enum Held {
     Thread(Thread),
 }
 
-/// Of a screw.
+/// The thread of a screw.
 #[derive(Clone, Copy)]
 pub struct Thread {
     pub axis: Components,
@@ -29,7 +29,7 @@ pub struct Thread {
 }
 
 /// The directions that a joint holds.
-pub fn held(graph: &mut Graph, closing: &Closing, is_planar: bool) -> Vec<Held> {
+pub fn held(graph: &mut Graph, closing: &Connection, is_planar: bool) -> Vec<Held> {
     if is_planar {
         in_plane(graph, closing)
     } else {
@@ -37,7 +37,7 @@ pub fn held(graph: &mut Graph, closing: &Closing, is_planar: bool) -> Vec<Held> 
     }
 }
 
-fn in_plane(graph: &mut Graph, closing: &Closing) -> Vec<Held> {
+fn in_plane(graph: &mut Graph, closing: &Connection) -> Vec<Held> {
     let [x, y, z] = graph.unit_vectors();
     let pin = [Held::Place(x), Held::Place(y)];
     let still = |graph: &mut Graph| Held::Between(at_zero(graph, closing, x), y);
@@ -57,7 +57,7 @@ fn in_plane(graph: &mut Graph, closing: &Closing) -> Vec<Held> {
     }
 }
 
-fn in_space(graph: &mut Graph, closing: &Closing) -> Vec<Held> {
+fn in_space(graph: &mut Graph, closing: &Connection) -> Vec<Held> {
     let units = graph.unit_vectors();
     let ball = units.map(Held::Place);
     let turned = |graph: &mut Graph, vector: Components| at_zero(graph, closing, vector);
@@ -113,7 +113,7 @@ fn in_space(graph: &mut Graph, closing: &Closing) -> Vec<Held> {
 }
 
 /// A vector of the carried body, in the axes of the carrier, where the coordinates are zero.
-pub fn at_zero(graph: &mut Graph, closing: &Closing, vector: Components) -> Components {
+pub fn at_zero(graph: &mut Graph, closing: &Connection, vector: Components) -> Components {
     // the last turn is that of the carried body
     closing
         .turned

@@ -2,16 +2,16 @@
 //! rate, its missing acceleration, and its slopes by the rates of the joints.
 
 use crate::mechanics::tree::link::Tree;
-use crate::model::Closing;
+use crate::model::Connection;
 use crate::symbolic::{Components, Function, Graph, Id};
 
 use super::held::{Held, Thread, at_zero, held};
-use super::row::Row;
+use super::row::ConstraintRow;
 use super::world::{Placed, Spot};
 
 /// One constraint of a joint.
 pub struct JointRow {
-    pub row: Row,
+    pub row: ConstraintRow,
     /// A unit of its load: force and moment on the carried body, at its point of the joint, world
     /// axes; on the carrier the opposite, at the same place.
     pub force: Components,
@@ -20,7 +20,7 @@ pub struct JointRow {
 
 /// Both sides of a joint that closes a loop.
 pub struct Ends<'a> {
-    pub closing: &'a Closing,
+    pub closing: &'a Connection,
     /// The links, none for the ground; offsets of the joint from their origins.
     pub links: [Option<usize>; 2],
     pub offsets: [Components; 2],
@@ -66,7 +66,7 @@ fn row(
     let slopes = slopes(graph, tree, placed, (ends, places), [force, moment]);
     let [value, rate, bias] = measured.change.map(|id| graph.quantity(id));
     JointRow {
-        row: Row {
+        row: ConstraintRow {
             name,
             value: Some(value),
             rate,
@@ -93,7 +93,7 @@ struct Measured {
 }
 
 impl Joined<'_> {
-    fn measured(&self, graph: &mut Graph, held: Held, closing: &Closing) -> Measured {
+    fn measured(&self, graph: &mut Graph, held: Held, closing: &Connection) -> Measured {
         let [carrier, _] = self.sides;
         let zeros = graph.zeros();
         match held {
@@ -124,7 +124,7 @@ impl Joined<'_> {
         }
     }
 
-    /// How far the points are from each other, with the rates of that.
+    /// The distance vector of the points, with its first and second derivatives.
     fn apart(&self, graph: &mut Graph) -> [Components; 3] {
         let parts: [fn(&Spot) -> Components; 3] = [
             |spot| spot.place,
@@ -137,14 +137,14 @@ impl Joined<'_> {
         })
     }
 
-    /// How one side turns against the other: the rate, and its derivative.
+    /// The rotation of one side relative to the other: the rate, and its derivative.
     fn turning(&self, graph: &mut Graph) -> [Components; 2] {
         let [carrier, carried] = self.sides;
         let pairs = [(carried.w, carrier.w), (carried.alpha, carrier.alpha)];
         pairs.map(|(own, of_carrier)| graph.subtract_vectors(own, of_carrier))
     }
 
-    /// How far the points are from each other along a direction of the carrier.
+    /// The distance of the points along a direction of the carrier.
     fn along(&self, graph: &mut Graph, e: Components) -> [Id; 3] {
         let [r, v, a] = self.apart(graph);
         let [carrier, _] = self.sides;
@@ -161,8 +161,8 @@ impl Joined<'_> {
         [graph.dot(e, r), rate, bias]
     }
 
-    /// The same along the axis of a thread, of which what the thread gives by turning is taken. The
-    /// place is that but for whole turns:
+    /// The same along the axis of a thread, minus the advance of the thread by its rotation. The
+    /// place is counted modulo whole turns:
     ///
     /// ```text
     /// 2 p tan((x / p - angle) / 2)        p: pitch, x: the place along the axis
@@ -200,13 +200,13 @@ impl Joined<'_> {
         [graph.multiply(twice, tangent), rate, bias]
     }
 
-    /// The angle between a direction of the carrier and one of the carried body, from what it is at
-    /// zero; a moment along their normal keeps it.
+    /// The angle between a direction of the carrier and one of the carried body, minus its value at
+    /// zero coordinates; a moment along their normal keeps it.
     fn between(
         &self,
         graph: &mut Graph,
         (own, other): (Components, Components),
-        closing: &Closing,
+        closing: &Connection,
     ) -> Measured {
         let [carrier, carried] = self.sides;
         let e = carrier.to_world(graph, own);

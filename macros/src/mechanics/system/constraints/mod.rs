@@ -9,6 +9,6 @@ mod written;
 
 pub use followers::{check_followers, replace, replace_in_tree, split};
 pub use joints::{Ends, rows as rows_of_joint};
-pub use row::Row;
+pub use row::ConstraintRow;
 pub use world::{Placed, place_links};
 pub use written::{push as push_written, rows as rows_of_written};

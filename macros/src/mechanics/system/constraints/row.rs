@@ -3,7 +3,7 @@
 use crate::symbolic::Id;
 
 /// A constraint, as the equations see it.
-pub struct Row {
+pub struct ConstraintRow {
     pub name: String,
     /// Zero in all states of the motion; a velocity constraint has none.
     pub value: Option<Id>,

@@ -8,10 +8,15 @@ use crate::mechanics::variation::{Derived, Direction, Slopes, derive_unit_loads}
 use crate::model::{Constraint, Level, System, Workspace};
 use crate::symbolic::{Graph, Id};
 
-use super::row::Row;
+use super::row::ConstraintRow;
 
 /// All written constraints.
-pub fn rows(system: &System, work: &mut Workspace, built: &Built, motion: &Direction) -> Vec<Row> {
+pub fn rows(
+    system: &System,
+    work: &mut Workspace,
+    built: &Built,
+    motion: &Direction,
+) -> Vec<ConstraintRow> {
     let freedoms = built.tree.links.iter().flat_map(Link::open);
     let rates: Vec<Id> = freedoms.map(|freedom| freedom.rate).collect();
     let list = system.constraints.list.iter();
@@ -19,7 +24,12 @@ pub fn rows(system: &System, work: &mut Workspace, built: &Built, motion: &Direc
         .collect()
 }
 
-fn row(work: &mut Workspace, constraint: &Constraint, motion: &Direction, rates: &[Id]) -> Row {
+fn row(
+    work: &mut Workspace,
+    constraint: &Constraint,
+    motion: &Direction,
+    rates: &[Id],
+) -> ConstraintRow {
     let (value, rate) = match constraint.level {
         Level::Position => {
             let rate = Slopes::of(work, constraint.value).along(work, motion);
@@ -36,7 +46,7 @@ fn row(work: &mut Workspace, constraint: &Constraint, motion: &Direction, rates:
             work.graph.quantity(slope)
         })
         .collect();
-    Row {
+    ConstraintRow {
         name: constraint.name.clone(),
         value,
         rate: work.graph.quantity(rate),

@@ -11,7 +11,7 @@ use super::carried::Carried;
 use crate::mechanics::system::equations::SystemEquations;
 use crate::mechanics::system::rates::velocities;
 
-/// How a joint moves.
+/// The motion of a joint in closed form.
 pub enum Course {
     /// Every coordinate has a constant acceleration.
     Uniform(Vec<Id>),
@@ -31,7 +31,7 @@ pub struct Counter {
     pub translates: bool,
     /// Whether it turns about the opposite direction.
     pub is_opposite: bool,
-    /// Of both angles together.
+    /// The acceleration of both angles together.
     pub acceleration: Id,
 }
 
@@ -44,13 +44,13 @@ pub struct Center {
 }
 
 /// A joint of a system, whose accelerations are known.
-pub struct Moving<'a> {
+pub struct SolvedJoint<'a> {
     pub system: &'a System,
     pub equations: &'a SystemEquations,
     pub number: usize,
 }
 
-impl Moving<'_> {
+impl SolvedJoint<'_> {
     /// Its motion, if that has a closed form.
     pub fn course(&self, work: &mut Workspace) -> Option<Course> {
         let (joint, found) = (self.joint(), self.accelerations());

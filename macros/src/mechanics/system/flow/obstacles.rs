@@ -3,7 +3,7 @@
 use crate::mechanics::answers::parts;
 use crate::mechanics::closed_forms::dependence;
 use crate::mechanics::proofs::all_vanish;
-use crate::mechanics::tree::{Pair, along_freedoms, wrench};
+use crate::mechanics::tree::{SpatialVector, along_freedoms, wrench};
 use crate::model::{System, TreeJoint, Variable, Workspace};
 use crate::symbolic::Id;
 
@@ -18,10 +18,10 @@ pub struct Obstacles<'a> {
     pub failing: Vec<usize>,
 }
 
-/// Under constraints.
+/// The obstacle for a system under constraints.
 pub const CLOSED: &str = "where loops are closed or constraints are written there is no closed form in this version: leave \
                           out `flow`, and the motion is integrated";
-/// What paths do not support.
+/// The obstacle for a system whose mass or inertia changes.
 pub const CHANGING: &str =
     "no closed form: mass and inertia change; leave out `flow`, and the motion is integrated";
 
@@ -91,7 +91,7 @@ impl Obstacles<'_> {
         })
     }
 
-    /// Whether a joint turns without a change of what carries it.
+    /// Whether the rotation of a joint does not affect its carrier.
     fn is_rotor(&self, root: usize, joint: &TreeJoint) -> bool {
         let (graph, found) = (&self.work.graph, &self.equations.accelerations[root]);
         let angle = joint.coordinates.get(Variable::Angle, 0);
@@ -112,8 +112,8 @@ impl Obstacles<'_> {
         })
     }
 
-    /// The loads with a part along a coordinate of what a joint to the ground carries, and the
-    /// drives there.
+    /// The loads along coordinates of the bodies that a joint to the ground carries, and the drives
+    /// there.
     fn acting(&mut self, root: usize) -> Vec<(String, Vec<Id>)> {
         let (mut acting, mut driving) = (Vec::new(), Vec::new());
         let (system, built) = (self.system, &self.equations.built);
@@ -123,7 +123,7 @@ impl Obstacles<'_> {
             }
             for load in &body.loads {
                 let (linear, angular) = wrench(self.work, body, [load], joint.pin);
-                let load_here = Pair { angular, linear };
+                let load_here = SpatialVector { angular, linear };
                 let graph = &mut self.work.graph;
                 let along = along_freedoms(graph, &built.tree, built.body(number), load_here);
                 if !all_vanish(self.work, &along) {

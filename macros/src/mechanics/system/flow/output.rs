@@ -3,9 +3,9 @@
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, Extent};
-use crate::model::{Shape, System, Workspace};
+use crate::model::{Member, Shape, System, Workspace};
 
-use super::course::{Course, Moving};
+use super::course::{Course, SolvedJoint};
 use super::obstacles::{CHANGING, CLOSED, Obstacles};
 use crate::mechanics::system::equations::SystemEquations;
 
@@ -26,29 +26,12 @@ pub fn derive_system_flow(
     if !system.is_tree() {
         return errors.report(place, CLOSED);
     }
-    let substances = system.bodies.iter();
-    let known = substances.flat_map(|body| {
-        let entries = body.inertia.distinct_entries();
-        entries.into_iter().chain([body.mass])
-    });
+    let substances = system.bodies.iter().map(Member::substance);
+    let known = substances.flat_map(|substance| substance.numbers());
     if !work.graph.are_early(&known.collect::<Vec<_>>()) {
         return errors.report(place, CHANGING);
     }
-    let mut courses: Vec<Option<Course>> = (0..system.joints.len()).map(|_| None).collect();
-    let moving = |number: usize| Moving {
-        system,
-        equations,
-        number,
-    };
-    for number in &system.written {
-        courses[*number] = moving(*number).course(work);
-    }
-    for number in &system.written {
-        if courses[*number].is_none() {
-            let counter = moving(*number).counter(work, &courses);
-            courses[*number] = counter.map(Course::Counter);
-        }
-    }
+    let mut courses = courses(system, work, equations);
     let mut obstacles = Obstacles {
         system,
         equations,
@@ -79,6 +62,31 @@ pub fn derive_system_flow(
     Some(SystemFlow {
         joints: joints.collect::<Option<_>>()?,
     })
+}
+
+/// The motion of each joint, if it has a closed form: first by itself, then together with a
+/// pendulum among the others.
+fn courses(
+    system: &System,
+    work: &mut Workspace,
+    equations: &SystemEquations,
+) -> Vec<Option<Course>> {
+    let mut courses: Vec<Option<Course>> = (0..system.joints.len()).map(|_| None).collect();
+    let moving = |number: usize| SolvedJoint {
+        system,
+        equations,
+        number,
+    };
+    for number in &system.written {
+        courses[*number] = moving(*number).course(work);
+    }
+    for number in &system.written {
+        if courses[*number].is_none() {
+            let counter = moving(*number).counter(work, &courses);
+            courses[*number] = counter.map(Course::Counter);
+        }
+    }
+    courses
 }
 
 impl SystemFlow {

@@ -22,7 +22,7 @@ pub struct Absolute {
     hinges: Vec<(usize, usize)>,
 }
 
-/// Whether a freedom turns what it carries.
+/// Whether a freedom turns the carried links.
 pub fn is_turn(graph: &Graph, freedom: &Freedom) -> bool {
     !graph.is_zero_vector(&freedom.twist.angular)
 }

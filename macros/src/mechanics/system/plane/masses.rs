@@ -12,7 +12,7 @@ use super::slopes::coriolis;
 
 /// The motion of the origin of a link, world axes.
 #[derive(Clone, Default)]
-struct Moving {
+struct OriginMotion {
     /// Its acceleration per unit of each coordinate's acceleration.
     columns: Vec<(usize, Components)>,
     /// The rest of its acceleration, minus that of free fall: vectors with factors.
@@ -77,8 +77,8 @@ fn motions(
     absolute: &Absolute,
     arms: &mut Arms<'_>,
     (tree, numbers): (&Tree, &[usize]),
-) -> Vec<Moving> {
-    let mut all: Vec<Moving> = Vec::new();
+) -> Vec<OriginMotion> {
+    let mut all: Vec<OriginMotion> = Vec::new();
     let one = graph.one();
     let fall = graph.negate_vector(tree.gravity);
     for (index, link) in tree.links.iter().enumerate() {
@@ -124,7 +124,7 @@ fn motions(
             }
         }
         rest.retain(|(factor, vector)| !graph.is_zero(*factor) && !graph.is_zero_vector(vector));
-        all.push(Moving {
+        all.push(OriginMotion {
             columns,
             rest,
             steps,
@@ -158,8 +158,8 @@ impl Balances {
         self.driving[coordinate] = graph.add(self.driving[coordinate], part);
     }
 
-    /// Of the momentum `m v + x z x s`, and `x I + s x v` about the origin.
-    fn add(&mut self, graph: &mut Graph, link: &Inert, moving: &Moving) {
+    /// Adds the balances of the momentum `m v + x z x s`, and of `x I + s x v` about the origin.
+    fn add(&mut self, graph: &mut Graph, link: &Inert, moving: &OriginMotion) {
         for (place, (i, column)) in moving.columns.iter().enumerate() {
             for (j, other) in &moving.columns[..=place] {
                 let product = graph.dot(*column, *other);

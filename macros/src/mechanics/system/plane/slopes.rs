@@ -3,8 +3,8 @@
 use crate::mechanics::tree::link::{Link, Tree};
 use crate::symbolic::{Components, Graph, Id};
 
-use super::super::constraints::{Ends, Row};
-use super::super::reduced::Held;
+use super::super::constraints::{ConstraintRow, Ends};
+use super::super::reduced::LinearRow;
 use super::absolute::{Absolute, is_turn};
 use super::arms::{Arms, quarter_turn};
 
@@ -12,7 +12,7 @@ use super::arms::{Arms, quarter_turn};
 /// leaves.
 struct Part {
     vector: Components,
-    /// How often the loop passes through its joint forwards, minus backwards.
+    /// The number of times that the loop passes through its joint forwards, minus backwards.
     passes: i32,
 }
 
@@ -27,7 +27,7 @@ pub fn of_hinge(
     absolute: &Absolute,
     arms: &mut Arms<'_>,
     ends: &Ends<'_>,
-) -> [Held; 2] {
+) -> [LinearRow; 2] {
     let zeros = graph.zeros();
     let mut sum = Sum {
         columns: vec![zeros; absolute.count],
@@ -51,7 +51,7 @@ pub fn of_hinge(
             sum.slides(graph, (&tree.links[link], passes), (absolute, arms), link);
         }
     }
-    [0, 1].map(|axis| Held {
+    [0, 1].map(|axis| LinearRow {
         slopes: sum.columns.iter().map(|column| column[axis]).collect(),
         sizes: sum.sizes.clone(),
         right: graph.quantity(sum.right[axis]),
@@ -60,14 +60,14 @@ pub fn of_hinge(
 
 /// The sum over the links of a loop.
 struct Sum {
-    /// By absolute coordinate, with the squares of what they are made of.
+    /// By absolute coordinate, with the squares of their terms.
     columns: Vec<Components>,
     sizes: Vec<Id>,
     right: Components,
 }
 
 impl Sum {
-    /// Adds what a coordinate does: a vector, of this length.
+    /// Adds the effect of a coordinate: a vector, of this length.
     fn by(&mut self, graph: &mut Graph, own: usize, (column, length): (Components, Components)) {
         self.columns[own] = graph.add_vectors(self.columns[own], column);
         let square = graph.norm_squared(length);
@@ -153,12 +153,12 @@ fn parts(graph: &mut Graph, tree: &Tree, ends: &Ends<'_>) -> Vec<Option<Part>> {
 }
 
 /// A row that is given in the coordinates of joints.
-pub fn of_row(graph: &mut Graph, absolute: &Absolute, row: &Row) -> Held {
+pub fn of_row(graph: &mut Graph, absolute: &Absolute, row: &ConstraintRow) -> LinearRow {
     let slopes = absolute.gathered(graph, &row.slopes);
     let slopes: Vec<Id> = slopes.into_iter().map(|one| graph.quantity(one)).collect();
     let known = absolute.known(graph, &row.slopes);
     let right = graph.subtract(known, row.bias);
-    Held {
+    LinearRow {
         sizes: slopes.iter().map(|one| graph.square(*one)).collect(),
         slopes,
         right: graph.quantity(right),

@@ -8,7 +8,7 @@ use super::block::{Block, Way, next_rows, numerators, solved, way};
 
 /// A constraint row: `sum of slopes * x = right`.
 #[derive(Clone)]
-pub struct Held {
+pub struct LinearRow {
     pub slopes: Vec<Id>,
     pub right: Id,
     /// Bounds of the squares of the slopes.
@@ -28,7 +28,7 @@ pub struct Balance {
 pub struct Balances<'w> {
     pub work: &'w mut Workspace,
     pub all: Vec<Balance>,
-    pub rows: Vec<Held>,
+    pub rows: Vec<LinearRow>,
     /// Bounds of the inertia of each coordinate.
     sizes: Vec<Id>,
     /// The number of original coordinates: the others stand for several.
@@ -48,7 +48,7 @@ struct Chosen {
 }
 
 impl<'w> Balances<'w> {
-    pub fn new(work: &'w mut Workspace, all: Vec<Balance>, rows: Vec<Held>) -> Self {
+    pub fn new(work: &'w mut Workspace, all: Vec<Balance>, rows: Vec<LinearRow>) -> Self {
         let sizes = all.iter().enumerate().map(|(own, one)| one.masses[own]);
         let mut balances = Self {
             work,
@@ -146,8 +146,8 @@ impl<'w> Balances<'w> {
     }
 
     /// One over a determinant `d / (d d)`. Slopes along ways are sums that may vanish in closed
-    /// states, and do not tell how large they could be: it is compared, as the inertia along ways
-    /// is, with what is known of the squares of slopes.
+    /// states, so their values do not bound their terms. Like the inertia along ways, it is
+    /// compared with the bounds of the squares of slopes.
     fn inverse_by_squares(&mut self, determinant: Id, known: &Chosen) -> Id {
         let bounds = self.bounds(known);
         let graph = &mut self.work.graph;

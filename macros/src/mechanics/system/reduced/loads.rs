@@ -1,4 +1,5 @@
-//! The constraint loads, once the motion is known: what the balances lack, `A^T l = M x - f`.
+//! The loads of constraints, once the motion is known, from the remainder of the balances:
+//! `A^T l = M x - f`.
 
 use crate::symbolic::{Graph, Id};
 
@@ -6,8 +7,8 @@ use super::balances::{at, products};
 use super::block::Block;
 use super::motion::Reduced;
 
-/// The load of each row, by what lacks in the balances of the coordinates that were given: of the
-/// last block first, since a block has to do with the loads of later ones.
+/// The load of each row, from the remainder of the balances of the original coordinates. The last
+/// block comes first, because the balances of a block contain the loads of later ones.
 pub fn loads(graph: &mut Graph, reduced: &Reduced, lacking: &[Id], rows: usize) -> Vec<Id> {
     let zero = graph.zero();
     let mut lacking = lacking.to_vec();

@@ -3,9 +3,9 @@
 use crate::model::Workspace;
 use crate::symbolic::{Elimination, Id, Size};
 
-use super::balances::{Balance, Balances, Held, at};
+use super::balances::{Balance, Balances, LinearRow, at};
 use super::block::Block;
-use super::together::{Kept, together};
+use super::together::{LoadedRow, together};
 
 /// The solution.
 pub struct Reduced {
@@ -17,7 +17,11 @@ pub struct Reduced {
 }
 
 /// Solves `M x = f + A^T l`, `A x = r` for x; none if rows turn out to be dependent.
-pub fn reduce(work: &mut Workspace, balances: Vec<Balance>, rows: Vec<Held>) -> Option<Reduced> {
+pub fn reduce(
+    work: &mut Workspace,
+    balances: Vec<Balance>,
+    rows: Vec<LinearRow>,
+) -> Option<Reduced> {
     let mut balances = Balances::new(work, balances, rows);
     while balances.next_block() {}
     finish(balances)
@@ -97,14 +101,14 @@ fn eliminate(balances: &mut Balances<'_>, open: &[usize], left: &[usize]) -> Eli
     let rows = left.iter().map(|row| {
         let row = &balances.rows[*row];
         let slopes: Vec<Id> = at(&row.slopes, open).collect();
-        Kept {
+        LoadedRow {
             pushes: slopes.clone(),
             slopes,
             right: row.right,
             own: zero,
         }
     });
-    let rows: Vec<Kept> = rows.collect();
+    let rows: Vec<LoadedRow> = rows.collect();
     let equations = together(balances.work, (&masses, &driving), &rows, Size::Reduced);
     let unknowns = open.len() + left.len();
     balances.work.graph.solve(equations, unknowns)

@@ -5,7 +5,7 @@ use crate::model::Workspace;
 use crate::symbolic::{Equation, Id, Size};
 
 /// A row, and the effect of its load.
-pub struct Kept {
+pub struct LoadedRow {
     pub slopes: Vec<Id>,
     pub right: Id,
     /// The effect of a unit of its load along each coordinate.
@@ -19,7 +19,7 @@ pub struct Kept {
 pub fn together(
     work: &mut Workspace,
     (masses, driving): (&[Vec<Id>], &[Id]),
-    rows: &[Kept],
+    rows: &[LoadedRow],
     of_load: Size,
 ) -> Vec<Equation> {
     let (count, zero) = (driving.len(), work.graph.zero());

@@ -7,11 +7,11 @@
 
 use core::ops::Range;
 
-use super::blocks::{BLOCK, Eight, GroupMut};
-use super::evaluate::read;
-use super::plan::{Limits, Plan};
 use crate::bodies::body::RigidBody;
 use crate::bodies::columns::{Columns, Generic};
+use crate::ensemble::blocks::{BLOCK, Eight, GroupMut};
+use crate::ensemble::evaluate::read;
+use crate::ensemble::plan::{Limits, Plan};
 use crate::integrate::{Equations, Fixed, RungeKutta, Stretch, Within, add};
 use crate::numbers::count::real;
 use crate::numbers::lanes::{Lanes, Register, Work};
@@ -96,19 +96,10 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
             way.steps = 0;
             return;
         }
-        let is_before = |time: f64| {
-            if forwards { now < time } else { now > time }
-        };
-        if !is_before(way.stretch.next) {
-            let from = (now, forwards, lane);
-            way.stretch = Stretch::of(body, input, from, self.limits.breaks.iter());
-        }
-        let next = way.stretch.next;
-        let limit = if forwards {
-            next.min(end)
-        } else {
-            next.max(end)
-        };
+        let from = (now, end, forwards);
+        let limit = self
+            .limits
+            .until((body, input), &mut way.stretch, from, lane);
         let limit = self.limits.pace().limit(now, limit).unwrap_or(limit);
         if is_under_way && way.end == limit {
             return;

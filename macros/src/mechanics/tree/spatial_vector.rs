@@ -1,4 +1,4 @@
-//! Pairs of an angular and a linear vector.
+//! Spatial vectors (Featherstone): an angular and a linear vector.
 
 use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
@@ -6,7 +6,7 @@ use crate::symbolic::{Components, Graph, Id};
 /// An angular and a linear vector about the origin of a link, in its axes: a twist, an
 /// acceleration, or a moment and a force.
 #[derive(Clone, Copy, PartialEq)]
-pub struct Pair {
+pub struct SpatialVector {
     pub angular: Components,
     pub linear: Components,
 }
@@ -18,7 +18,7 @@ pub enum Along {
     Linear(usize),
 }
 
-impl Pair {
+impl SpatialVector {
     /// The twist of unit rate about a direction.
     pub fn about(graph: &Graph, direction: Components) -> Self {
         Self {

@@ -1,0 +1,118 @@
+//! Suggestions for unknown words: a similar word, or the word for the same thing in other tools.
+
+/// The one of `known` that `name` was probably meant to be.
+pub fn similar<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    // a name of one letter is close to all others of one letter
+    let tolerated = match name.chars().count() {
+        0 | 1 => 0,
+        2..=5 => 1,
+        length => 1 + length / 5,
+    };
+    let distances = known
+        .into_iter()
+        .map(|known| (distance(name, known), known));
+    let is_cased = |known: &str| known != name && known.eq_ignore_ascii_case(name);
+    distances
+        .filter(|(distance, known)| {
+            (1..=tolerated).contains(distance) && known.len() > 1 || is_cased(known)
+        })
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, known)| known)
+}
+
+/// Each row lists words for one kind of joint: here, in files, and in other tools.
+const JOINTS: [&[&str]; 10] = [
+    &[
+        "revolute",
+        "hinge",
+        "pin",
+        "fixed_axis",
+        "continuous",
+        "rotary",
+        "rotational",
+    ],
+    &["prismatic", "slide", "slider", "sliding", "linear"],
+    &[
+        "spherical",
+        "ball",
+        "ball_joint",
+        "ball_and_socket",
+        "fixed_point",
+        "pivot",
+    ],
+    &["weld", "fixed", "rigid"],
+    &[
+        "free",
+        "floating",
+        "free_joint",
+        "freejoint",
+        "six_dof",
+        "spatial",
+    ],
+    &["universal", "cardan", "hooke"],
+    &["screw", "helical"],
+    &["pin_in_slot", "slot", "pin_slot"],
+    &["planar", "plane"],
+    &["cylindrical", "cylinder", "pin_in_slot"],
+];
+
+/// The known kind of joint that a word means elsewhere.
+fn joint_meant<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+    let word = word.to_lowercase();
+    let mut rows = JOINTS.iter().filter(|row| row.contains(&word.as_str()));
+    rows.find_map(|row| known.iter().copied().find(|known| row.contains(known)))
+}
+
+/// `; did you mean ...?` for kinds of joints, or nothing.
+pub fn hint_of_joint(word: &str, known: &[&str]) -> String {
+    let meant = joint_meant(word, known).or_else(|| similar(word, known.iter().copied()));
+    meant.map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
+}
+
+/// Functions by their names elsewhere.
+const FUNCTIONS: [(&str, &str); 13] = [
+    ("log", "ln"),
+    ("sgn", "signum"),
+    ("sign", "signum"),
+    ("fabs", "abs"),
+    ("arcsin", "asin"),
+    ("arccos", "acos"),
+    ("arctan", "atan"),
+    ("arctan2", "atan2"),
+    ("pow", "powi"),
+    ("square", "powi"),
+    ("inv", "recip"),
+    ("norm2", "norm_squared"),
+    ("ceiling", "ceil"),
+];
+
+/// The function of scalars or vectors that a word means elsewhere.
+pub fn function_meant(word: &str) -> Option<&'static str> {
+    let mut all = FUNCTIONS.iter();
+    all.find_map(|(elsewhere, here)| (*elsewhere == word).then_some(*here))
+}
+
+/// `; did you mean ...?`, or nothing.
+pub fn hint<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+    similar(name, known).map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
+}
+
+/// The number of insertions, deletions, substitutions and exchanges of neighbors from `a` to `b`.
+fn distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let same = a[i - 1] == b[j - 1];
+            let mut least = rows[i - 1][j - 1] + usize::from(!same);
+            least = least.min(rows[i - 1][j] + 1).min(row[j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                least = least.min(rows[i - 2][j - 2] + 1);
+            }
+            row.push(least);
+        }
+        rows.push(row);
+    }
+    rows[a.len()][b.len()]
+}

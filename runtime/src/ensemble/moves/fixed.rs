@@ -1,0 +1,182 @@
+//! Fixed steps in lanes.
+
+use alloc::vec::Vec;
+use core::ops::Range;
+
+use super::Moves;
+use super::members::{Done, MemberError, is_possible};
+use super::ways::{Apart, Ways};
+use crate::bodies::body::RigidBody;
+use crate::bodies::columns::{Columns, Generic};
+use crate::ensemble::blocks::{BLOCK, Blocks, Eight, GroupMut};
+use crate::ensemble::evaluate::{in_chunks, read};
+use crate::ensemble::plan::{Limits, Plan};
+use crate::ensemble::{Ensemble, Members};
+use crate::integrate::{Equations, Fixed, IntegrationError, RungeKutta, add};
+use crate::numbers::count::real;
+use crate::numbers::lanes::{Lanes, Register, Width, Work};
+use crate::state::Coordinates;
+
+/// In lanes: each member moves as it would alone, to the bit. If a motion becomes non-finite,
+/// the error has the state at the start.
+impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
+    type Alone = Self;
+
+    fn alone(&self) -> Self {
+        *self
+    }
+
+    fn moved(
+        &self,
+        ensemble: &mut Ensemble<B>,
+        times: Range<f64>,
+        limits: &Limits,
+        observer: impl Fn(f64) + Sync,
+    ) -> Vec<MemberError<B::State>> {
+        let (time, end) = (times.start, times.end);
+        let before = ensemble.states.clone();
+        let failed = |members: &Members<B>, index: usize, step: Option<f64>| {
+            let state = before.get(index);
+            let error = match step {
+                Some(step) => IntegrationError::StepTooSmall { time, state, step },
+                None => IntegrationError::not_finite(time, state),
+            };
+            let (body, input) = (members.body(index), members.inputs.get(index));
+            let error = error.named(&body, &input, end >= time);
+            MemberError { index, error }
+        };
+        let none_moves = |members: &Members<B>, step: Option<f64>| {
+            let all = 0..before.len();
+            all.map(|index| failed(members, index, step)).collect()
+        };
+        let is_there = end - time == 0.0;
+        if before.is_empty() || is_there {
+            return Vec::new();
+        }
+        let Some(steps) = self.count(end - time) else {
+            return none_moves(&ensemble.members, end.is_finite().then_some(self.step));
+        };
+        let pace = limits.pace();
+        if pace.limit(time, end).is_none() || pace.limit(end, time).is_none() {
+            return none_moves(&ensemble.members, Some(limits.max_step));
+        }
+        let done = Done::of(before.len(), observer);
+        let plan = Plan {
+            method: *self,
+            members: &ensemble.members,
+            first: 0,
+            times,
+            limits,
+        };
+        in_lanes(&plan, steps, ensemble.width, &mut ensemble.states, &done);
+        let is_lost = |index: &usize| {
+            let coordinates = ensemble.states.get(*index).coordinates();
+            let is_finite = coordinates.as_ref().iter().sum::<f64>().is_finite();
+            !is_finite || B::CHANGES && !is_possible(ensemble, *index, end)
+        };
+        let lost: Vec<usize> = (0..before.len()).filter(is_lost).collect();
+        for index in &lost {
+            ensemble.states.set(*index, &before.get(*index));
+        }
+        let lost = lost.into_iter();
+        lost.map(|index| failed(&ensemble.members, index, None))
+            .collect()
+    }
+}
+
+/// Moves all members by this many steps, or by as many as each needs.
+fn in_lanes<B: Generic, M: RungeKutta>(
+    plan: &Plan<'_, Fixed<M>, B>,
+    steps: usize,
+    width: Width,
+    states: &mut Blocks<B::State>,
+    done: &Done<impl Fn(f64) + Sync>,
+) {
+    let columns = <B::State as Columns<f64>>::COUNT;
+    let step = (plan.times.end - plan.times.start) / real(steps);
+    in_chunks(states.rows_mut(), columns, |first, rows| {
+        let members_here = rows.len() / columns * BLOCK;
+        let plan = Plan {
+            first,
+            times: plan.times.clone(),
+            ..*plan
+        };
+        let is_done = width.run(Advance {
+            plan: &plan,
+            step,
+            steps,
+            states: rows,
+        });
+        if !is_done {
+            width.run(Apart {
+                plan: &plan,
+                states: rows,
+            });
+        }
+        done.add(members_here);
+    });
+}
+
+/// Advances the members of each register that take the same steps; returns whether those are all.
+struct Advance<'e, M, B: Generic> {
+    plan: &'e Plan<'e, Fixed<M>, B>,
+    step: f64,
+    steps: usize,
+    states: &'e mut [Eight],
+}
+
+impl<M: RungeKutta, B: Generic> Work for Advance<'_, M, B> {
+    type Output = bool;
+
+    #[cfg_attr(not(unoptimized), inline(always))]
+    fn run<S: Register>(self, simd: S) -> bool {
+        let columns = <B::State as Columns<f64>>::COUNT;
+        let (plan, states) = (self.plan, self.states.chunks_exact_mut(columns));
+        let mut is_done = true;
+        for (rows, block) in states.zip(plan.members.blocks(plan.first)) {
+            for group in 0..BLOCK / Lanes::<S>::COUNT {
+                let (body, input) = block.group::<B, S>(simd, group);
+                if !Ways::new((&body, &input), plan).are_plain() {
+                    is_done = false;
+                    continue;
+                }
+                let equations = Equations {
+                    body: &body,
+                    input: &input,
+                };
+                let (state, start) = (read(simd, rows, group), plan.times.start);
+                let end = moved::<M, _, S>(simd, &equations, &state, start, self.step, self.steps);
+                let rows = rows.iter_mut();
+                Columns::<Lanes<S>>::write(&end, &mut GroupMut { rows, index: group });
+            }
+        }
+        is_done
+    }
+}
+
+/// Like a [`FixedRun`](crate::integrate::FixedRun), in lanes.
+#[cfg_attr(not(unoptimized), inline(always))]
+fn moved<M, L, S>(
+    simd: S,
+    equations: &Equations<'_, L>,
+    state: &L::State,
+    start: f64,
+    step: f64,
+    steps: usize,
+) -> L::State
+where
+    M: RungeKutta,
+    S: Register,
+    L: RigidBody<Scalar = Lanes<S>, State: Coordinates<Scalar = Lanes<S>>>,
+{
+    let mut coordinates = state.coordinates();
+    let mut lost = <L::State as Coordinates>::Array::default();
+    for k in 0..steps {
+        let time = Lanes::splat(simd, start + real(k) * step);
+        let length = Lanes::splat(simd, step);
+        let mut change = M::increment(equations, time, &coordinates, length);
+        L::State::keep(&coordinates, &mut change);
+        add(&mut coordinates, &mut lost, &change);
+    }
+    L::State::from_coordinates(&coordinates)
+}

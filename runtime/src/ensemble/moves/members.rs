@@ -1,0 +1,95 @@
+//! All members: in threads, counted, and the errors of those that reach no end.
+
+use alloc::vec::Vec;
+use core::fmt;
+#[cfg(not(feature = "rayon"))]
+use core::ops::Range;
+use core::sync::atomic::{AtomicUsize, Ordering};
+
+#[cfg(feature = "rayon")]
+use rayon::iter::IntoParallelIterator as _;
+
+use crate::bodies::columns::{Columns, Generic};
+use crate::ensemble::Ensemble;
+use crate::ensemble::blocks::Blocks;
+use crate::integrate::IntegrationError;
+use crate::numbers::count::real;
+
+/// A member whose motion ended early.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MemberError<S> {
+    /// The index of the member, from zero.
+    pub index: usize,
+    /// The reason, with the last good state.
+    pub error: IntegrationError<S>,
+}
+
+impl<S> fmt::Display for MemberError<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "member {}: {}", self.index, self.error)
+    }
+}
+
+impl<S: fmt::Debug + 'static> core::error::Error for MemberError<S> {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        Some(&self.error)
+    }
+}
+
+/// Whether a member's mass and inertia are possible at a time.
+pub(super) fn is_possible<B: Generic>(ensemble: &Ensemble<B>, index: usize, time: f64) -> bool {
+    let Ensemble {
+        states, members, ..
+    } = ensemble;
+    let (body, input) = (members.body(index), members.inputs.get(index));
+    body.possible(time, &states.get(index), &input).is_ok()
+}
+
+/// Stores the ends of members; returns the members that reached no end.
+pub(super) fn put<S: Columns<f64>>(
+    states: &mut Blocks<S>,
+    ends: impl Iterator<Item = (usize, Result<S, IntegrationError<S>>)>,
+) -> Vec<MemberError<S>> {
+    let mut lost = Vec::new();
+    for (index, end) in ends {
+        match end {
+            Ok(end) => states.set(index, &end),
+            Err(error) => lost.push(MemberError { index, error }),
+        }
+    }
+    lost
+}
+
+/// The number of completed members, and the observer.
+pub(super) struct Done<F> {
+    count: AtomicUsize,
+    all: usize,
+    observer: F,
+}
+
+impl<F: Fn(f64)> Done<F> {
+    pub(super) fn of(all: usize, observer: F) -> Self {
+        Self {
+            count: AtomicUsize::new(0),
+            all,
+            observer,
+        }
+    }
+
+    pub(super) fn add(&self, members: usize) {
+        let before = self.count.fetch_add(members, Ordering::Relaxed);
+        (self.observer)(real((before + members).min(self.all)) / real(self.all));
+    }
+}
+
+/// All members, in all threads.
+#[cfg(feature = "rayon")]
+pub(in crate::ensemble) fn indices(count: usize) -> rayon::range::Iter<usize> {
+    (0..count).into_par_iter()
+}
+
+/// All members.
+#[cfg(not(feature = "rayon"))]
+pub(in crate::ensemble) fn indices(count: usize) -> Range<usize> {
+    0..count
+}

@@ -1,5 +1,7 @@
 //! Rust constants and functions in descriptions, compared with the same laws by hand.
 
+mod slopes;
+
 use newton_euler::ensemble::Ensemble;
 use newton_euler::integrate::{Classical4, Fixed};
 use newton_euler::prelude::*;

@@ -32,40 +32,70 @@ fn check_slopes(
     (needs, place): (&str, Option<Extent>),
     errors: &mut Errors,
 ) -> Option<()> {
-    let mut reported = Vec::new();
+    let mut missing: Vec<Foreign> = Vec::new();
     for id in work.graph.reachable(roots, |_| true) {
-        let Node::Foreign(which, _) = *work.graph.node(id) else {
-            continue;
-        };
-        let function = &work.functions[which.number()];
-        if function.word(which).is_some() || reported.contains(&which.number()) {
-            continue;
+        if let Node::Foreign(which, _) = *work.graph.node(id)
+            && work.functions[which.number()].word(which).is_none()
+            && !missing.contains(&which)
+        {
+            missing.push(which);
         }
-        reported.push(which.number());
-        let place = place.unwrap_or_else(|| function.name.span().into());
-        errors.push(place, format!("{needs} {}", missing(function, which)));
     }
-    reported.is_empty().then_some(())
+    for (number, function) in work.functions.iter().enumerate() {
+        let of_it = missing.iter().filter(|which| which.number() == number);
+        let of_it: Vec<Foreign> = of_it.copied().collect();
+        if !of_it.is_empty() {
+            let place = place.unwrap_or_else(|| function.name.span().into());
+            let message = advice(function, Foreign::new(number), &of_it);
+            errors.push(place, format!("{needs} {message}"));
+        }
+    }
+    missing.is_empty().then_some(())
 }
 
-/// The missing derivative, and the remedy.
-fn missing(function: &ForeignFunction, which: Foreign) -> String {
+/// The missing derivatives, and the remedy.
+fn advice(function: &ForeignFunction, itself: Foreign, missing: &[Foreign]) -> String {
     let name = &function.name;
-    if which.orders().iter().sum::<u32>() > 1 {
-        return format!(
-            "`{name}` twice, and of a function of Rust the first derivatives are known alone"
-        );
-    }
-    let paths = function.arguments.iter().zip(which.orders());
-    let paths: Vec<String> = paths
-        .zip(&function.derivatives)
-        .map(|(((argument, ..), order), given)| match (order, given) {
-            (0, None) => "_".to_owned(),
-            _ => format!("{name}_by_{argument}"),
-        })
-        .collect();
+    let order = |which: &Foreign| which.orders().iter().sum::<u32>();
+    let which = match missing.iter().map(order).max() {
+        Some(0 | 1) | None => "",
+        Some(2) => "second ",
+        Some(3) => "third ",
+        Some(_) => "higher ",
+    };
+    let derivatives = written(function, (itself, &[]), missing);
     format!(
-        "`{name}`, a function of Rust whose derivative is not given: write `.derivatives({})` behind it",
-        paths.join(", ")
+        "`{name}`, a function of Rust whose {which}derivative is not given: write `{derivatives}` behind it"
     )
+}
+
+/// The derivatives that are missing, with those that are given: `.derivatives(lift_by_alpha, _)`.
+/// The arguments of each are in order, as the order of differentiations does not matter.
+fn written(
+    function: &ForeignFunction,
+    (which, by): (Foreign, &[usize]),
+    missing: &[Foreign],
+) -> String {
+    let is_within = |one: &Foreign, other: &Foreign| {
+        let (one, other) = (one.orders(), other.orders());
+        one.iter().zip(other).all(|(one, other)| *one <= other)
+    };
+    let first = by.last().copied().unwrap_or(0);
+    let mut is_empty = true;
+    let entries = (0..function.arguments.len()).map(|argument| {
+        let next = which.by(argument);
+        let is_needed = missing.iter().any(|other| is_within(&next, other));
+        if argument < first || !(is_needed || function.word(next).is_some()) {
+            return "_".to_owned();
+        }
+        is_empty = false;
+        let by = [by, &[argument]].concat();
+        let behind = written(function, (next, &by), missing);
+        format!("{}{behind}", function.named(&by))
+    });
+    let entries: Vec<String> = entries.collect();
+    if is_empty {
+        return String::new();
+    }
+    format!(".derivatives({})", entries.join(", "))
 }

@@ -41,6 +41,19 @@ rigid_body!(Rim {
     outputs: [linearization],
 });
 
+fn slope(x: f64, _: f64) -> f64 {
+    x
+}
+
+rigid_body!(Edge {
+    motion: translation,
+    mass: 12[kg],
+    functions: [edge(x[m], y[m]) = lift[J].derivatives(slope.derivatives(lift, _), slope)],
+    locals: [place = position.in_world()],
+    potentials: [edge = edge(place.x, place.y)],
+    outputs: [linearization],
+});
+
 rigid_system!(Arm {
     motion: planar,
     functions: [drag(rate[rad / s], scale) = lift[N * m]],

@@ -63,8 +63,7 @@ impl Lowering<'_> {
             name: name.clone(),
             arguments: arguments?,
             result: result?,
-            path: written.path.clone(),
-            derivatives: written.derivatives.clone(),
+            paths: written.paths.clone(),
         });
         Some(Value::Function(number))
     }

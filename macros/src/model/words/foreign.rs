@@ -18,33 +18,32 @@ pub struct ForeignFunction {
     pub name: Ident,
     pub arguments: Vec<(Ident, Number, Dimension)>,
     pub result: (Number, Dimension),
-    pub path: TokenStream,
-    /// Derivatives by each argument, if given.
-    pub derivatives: Vec<Option<TokenStream>>,
+    /// Its path and those of the given derivatives, each with the arguments that it is
+    /// differentiated by, in order.
+    pub paths: Vec<(Vec<usize>, TokenStream)>,
 }
 
 impl ForeignFunction {
     /// The function itself and its given derivatives: the name and path of each.
     pub fn given(&self) -> impl Iterator<Item = (String, &TokenStream)> {
-        let name = &self.name;
-        let derivatives = self.arguments.iter().zip(&self.derivatives);
-        let derivatives = derivatives.filter_map(move |((argument, ..), path)| {
-            Some((format!("{name}_by_{argument}"), path.as_ref()?))
-        });
-        core::iter::once((name.to_string(), &self.path)).chain(derivatives)
+        self.paths.iter().map(|(by, path)| (self.named(by), path))
     }
 
     /// Its name, or that of a derivative; `None` for a derivative that is not given.
     pub fn word(&self, which: Foreign) -> Option<String> {
-        let orders = which.orders();
-        let argument = orders.iter().position(|order| *order > 0);
-        match (orders.iter().sum(), argument) {
-            (0, _) => Some(self.name.to_string()),
-            (1, Some(place)) if matches!(self.derivatives.get(place), Some(Some(_))) => {
-                let (argument, ..) = &self.arguments[place];
-                Some(format!("{}_by_{argument}", self.name))
-            }
-            _ => None,
-        }
+        let is_it =
+            |by: &[usize]| by.iter().fold(which.without(), |one, place| one.by(*place)) == which;
+        let (by, _) = self.paths.iter().find(|(by, _)| is_it(by))?;
+        Some(self.named(by))
+    }
+
+    /// `lift`, `lift_by_alpha`, `lift_by_alpha_by_speed`
+    pub fn named(&self, by: &[usize]) -> String {
+        let arguments = by
+            .iter()
+            .map(|place| format!("_by_{}", self.arguments[*place].0));
+        core::iter::once(self.name.to_string())
+            .chain(arguments)
+            .collect()
     }
 }

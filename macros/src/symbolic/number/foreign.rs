@@ -20,7 +20,7 @@ impl Foreign {
     }
 
     /// Its derivative by one argument; the order of differentiations does not matter. More than
-    /// `MOST` are not distinguished: none beyond the first is ever given.
+    /// `MOST` are not distinguished: none of so many is ever given.
     pub fn by(self, argument: usize) -> Self {
         let place = BITS * u32::try_from(argument).unwrap_or(0);
         let is_full = self.0 >> place & MOST == MOST;
@@ -29,6 +29,11 @@ impl Foreign {
         } else {
             self.0 + (1 << place)
         })
+    }
+
+    /// The function that it is a derivative of.
+    pub fn without(self) -> Self {
+        Self::new(self.number())
     }
 
     pub fn number(self) -> usize {

@@ -12,6 +12,8 @@ use crate::syntax::words::check_name;
 
 /// The limit of arguments of a function.
 const ARGUMENTS: usize = 3;
+/// The limit of differentiations of a function.
+const MOST: usize = 4;
 const FORM: &str = "`lift(alpha) = crate::lift[N]`, its unit in brackets, or with derivatives \
                     `lift(alpha) = crate::lift[N].derivatives(crate::lift_by_alpha)`";
 
@@ -24,15 +26,15 @@ pub struct Constant {
     pub unit: Option<UnitExpression>,
 }
 
-/// `name(argument[unit], ..) = path[unit].derivatives(path, _)`
+/// `name(argument[unit], ..) = path[unit].derivatives(path.derivatives(path, _), _)`
 #[derive(Clone)]
 pub struct Function {
     pub name: Ident,
     pub arguments: Vec<(Ident, Option<UnitExpression>)>,
-    pub path: TokenStream,
     pub unit: Option<UnitExpression>,
-    /// By each argument; `None` if not given.
-    pub derivatives: Vec<Option<TokenStream>>,
+    /// Its path and those of the given derivatives, each with the arguments that it is
+    /// differentiated by, in order.
+    pub paths: Vec<(Vec<usize>, TokenStream)>,
 }
 
 /// The value after the name of a constant.
@@ -113,38 +115,25 @@ fn function(name: &Ident, rest: &[TokenTree], errors: &mut Errors) -> Option<Fun
             format!("expected the path of a function: write {FORM}"),
         );
     };
-    let (value, derivatives) = match value {
-        [
-            value @ ..,
-            dot,
-            TokenTree::Ident(word),
-            TokenTree::Group(list),
-        ] if is_punct(dot, '.') && list.delimiter() == Delimiter::Parenthesis => {
-            if word != "derivatives" {
-                let message = "behind the path of a function there is `.derivatives(..)`, a path for each argument";
-                return errors.report(word.span(), message);
-            }
-            (value, Some((word, list)))
-        }
-        _ => (value, None),
-    };
+    let (value, derivatives) = with_derivatives(value, errors)?;
     let value = with_unit(value, errors);
     let arguments = arguments?;
-    let derivatives = derivatives.map_or_else(
-        || Some(vec![None; arguments.len()]),
-        |(word, list)| paths(word, list, arguments.len(), errors),
-    );
+    let mut paths = Vec::new();
+    let derivatives = derivatives.map_or(Some(()), |list| {
+        slopes(&list, (arguments.len(), &[]), &mut paths, errors)
+    });
     let (path, unit) = value?;
     if path.is_empty() {
         let message = format!("`{name}` has no value: write {FORM}");
         return errors.report(name.span(), message);
     }
+    paths.insert(0, (Vec::new(), path_of(path, errors)?));
+    derivatives?;
     Some(Function {
         name: name.clone(),
         arguments,
-        path: path_of(path, errors)?,
         unit,
-        derivatives: derivatives?,
+        paths,
     })
 }
 
@@ -187,13 +176,39 @@ fn arguments(
     }))
 }
 
-/// `.derivatives(path, _)`
-fn paths(
-    word: &Ident,
-    list: &Group,
-    count: usize,
+/// What a path is followed by: the word `derivatives`, and the list behind it.
+type Behind<'t> = (&'t Ident, &'t Group);
+
+/// Takes `.derivatives(..)` off the end.
+fn with_derivatives<'t>(
+    value: &'t [TokenTree],
     errors: &mut Errors,
-) -> Option<Vec<Option<TokenStream>>> {
+) -> Option<(&'t [TokenTree], Option<Behind<'t>>)> {
+    match value {
+        [
+            value @ ..,
+            dot,
+            TokenTree::Ident(word),
+            TokenTree::Group(list),
+        ] if is_punct(dot, '.') && list.delimiter() == Delimiter::Parenthesis => {
+            if word != "derivatives" {
+                let message = "behind the path of a function there is `.derivatives(..)`, a path for each argument";
+                return errors.report(word.span(), message);
+            }
+            Some((value, Some((word, list))))
+        }
+        _ => Some((value, None)),
+    }
+}
+
+/// `.derivatives(path, _)`, of a function of so many arguments that is differentiated by some
+/// already. A path may have derivatives of its own.
+fn slopes(
+    (word, list): &Behind<'_>,
+    (count, by): (usize, &[usize]),
+    paths: &mut Vec<(Vec<usize>, TokenStream)>,
+    errors: &mut Errors,
+) -> Option<()> {
     let entries = split(list.stream(), Entry::Defined, errors);
     if entries.len() != count {
         let message = format!(
@@ -202,10 +217,23 @@ fn paths(
         );
         return errors.report(word.span(), message);
     }
-    every(entries.iter().map(|entry| match &entry[..] {
-        [TokenTree::Ident(open)] if open == "_" => Some(None),
-        path => path_of(path, errors).map(Some),
-    }))
+    if by.len() == MOST {
+        let message = format!("derivatives are given up to the order {MOST}");
+        return errors.report(word.span(), message);
+    }
+    let each = entries.iter().enumerate().map(|(argument, entry)| {
+        let by = [by, &[argument]].concat();
+        let (path, behind) = match &entry[..] {
+            [TokenTree::Ident(open)] if open == "_" => return Some(()),
+            path => with_derivatives(path, errors)?,
+        };
+        paths.push((by.clone(), path_of(path, errors)?));
+        match behind {
+            Some(list) => slopes(&list, (count, &by), paths, errors),
+            None => Some(()),
+        }
+    });
+    every(each).map(|_: Vec<()>| ())
 }
 
 fn path_of(tokens: &[TokenTree], errors: &mut Errors) -> Option<TokenStream> {

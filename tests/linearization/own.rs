@@ -14,6 +14,14 @@ use described::{
     ServoState,
 };
 
+#[path = "../states/led.rs"]
+#[allow(dead_code, reason = "those of another test")]
+mod led;
+use led::{
+    Crane, CraneInput, CraneState, Driven, DrivenInput, DrivenState, Led, LedInput, LedState,
+    Slider, SliderInput, SliderState,
+};
+
 fn by(value: f64, is_it: bool) -> Derived {
     if is_it {
         Derived::variable(value, 0)
@@ -243,4 +251,101 @@ fn an_arm_rests_on_its_controller() {
     let search = servo.trim(&ServoState::default()).input(&given);
     let error = search.free(["torque"]).solve();
     assert!(error.is_err());
+}
+
+#[test]
+fn a_joint_that_follows_a_state() {
+    let state = CraneState {
+        tower: hinge(0.3, -0.4),
+        hook: hinge(-0.7, 1.2),
+        reach: 0.8,
+        speed: -0.5,
+    };
+    let input = |j: usize| CraneInput {
+        command: by(0.7, j == 0),
+    };
+    let found = Crane::<f64>::default().linearize(0.3, &state, &CraneInput { command: 0.7 });
+    let (body, at) = (Crane::<Derived>::default(), unmoved(&state));
+    hold::<_, _, CraneState<Derived>, 6, 1>(
+        &found,
+        &state,
+        1e-13,
+        |state| body.acceleration(time(), state, &input(9)),
+        |j| body.acceleration(time(), &at, &input(j)),
+    );
+}
+
+#[test]
+fn a_constraint_that_follows_states() {
+    let state = SliderState {
+        motion: Planar {
+            position: [0.3, 1.1].into(),
+            velocity: [0.72, -0.7].into(),
+            angle: 0.2,
+            angular_velocity: 1.4,
+        },
+        place: 0.3,
+        speed: 0.5,
+        spin: 1.4,
+    };
+    let input = |j: usize| SliderInput {
+        command: by(0.8, j == 0),
+        pace: by(3.0, j == 1),
+    };
+    let given = SliderInput {
+        command: 0.8,
+        pace: 3.0,
+    };
+    let found = Slider::<f64>::default().linearize(0.3, &state, &given);
+    let (body, at) = (Slider::<Derived>::default(), unmoved(&state));
+    hold::<_, _, SliderState<Derived>, 9, 2>(
+        &found,
+        &state,
+        1e-13,
+        |state| body.acceleration(time(), state, &input(9)),
+        |j| body.acceleration(time(), &at, &input(j)),
+    );
+}
+
+#[test]
+fn an_arm_that_follows_a_state() {
+    let elbow = Rotation {
+        attitude: UnitQuaternion::from_euler_angles(0.3, 0.7, 0.4),
+        angular_velocity: [0.5, -1.0, 0.8].into(),
+    };
+    let state = DrivenState {
+        elbow,
+        target: 0.3,
+        speed: -0.6,
+    };
+    let found = Driven::<f64>::default().linearize(0.3, &state, &DrivenInput { command: 1.5 });
+    let (body, at) = (Driven::<Derived>::default(), unmoved(&state));
+    let input = |j: usize| DrivenInput {
+        command: by(1.5, j == 0),
+    };
+    hold::<_, _, DrivenState<Derived>, 8, 1>(
+        &found,
+        &state,
+        1e-13,
+        |state| body.acceleration(time(), state, &input(9)),
+        |j| body.acceleration(time(), &at, &input(j)),
+    );
+    let state = LedState {
+        shoulder: hinge(0.6, -1.2),
+        elbow,
+        target: 0.3,
+        speed: -0.6,
+    };
+    let found = Led::<f64>::default().linearize(0.3, &state, &LedInput { command: 1.5 });
+    let (body, at) = (Led::<Derived>::default(), unmoved(&state));
+    let input = |j: usize| LedInput {
+        command: by(1.5, j == 0),
+    };
+    hold::<_, _, LedState<Derived>, 10, 1>(
+        &found,
+        &state,
+        1e-13,
+        |state| body.acceleration(time(), state, &input(9)),
+        |j| body.acceleration(time(), &at, &input(j)),
+    );
 }

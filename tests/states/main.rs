@@ -4,8 +4,10 @@
 mod bodies;
 mod controller;
 mod kinds;
+mod led;
 mod motors;
 mod potentials;
+mod prescribed;
 mod structure;
 mod together;
 mod written;

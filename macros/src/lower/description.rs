@@ -3,6 +3,7 @@
 use crate::errors::{Errors, every};
 use crate::lower::definitions::{INVERSE, LINEARIZATION, check_changing, check_names, unused};
 use crate::lower::expressions::{Lowering, Members, Scope, is_drive, is_unknown};
+use crate::lower::loads::check_states;
 use crate::model::{
     Checks, Declared, Defaults, Drawn, ENTRIES, Inertia, Labels, Mass, Model, Outline, Reaction,
     Workspace, state_symbols,
@@ -54,15 +55,18 @@ pub fn lower_description(
 
     outline.unused = unused(description, &scope);
     let motion = outline.motion;
+    let derivatives: Vec<usize> = outline.inputs.iter().map(Declared::derivatives).collect();
+    let (constraints, states) = (constraints?, states?);
+    check_states(&work, &constraints, &states, &derivatives, errors)?;
     let model = Model {
-        derivatives: outline.inputs.iter().map(Declared::derivatives).collect(),
-        states: states?,
+        derivatives,
+        states,
         is_differentiated: outline.asks_for(&[LINEARIZATION]),
         has_idle_inertia: description.inertia.is_some() && !motion.has_attitude(),
         potentials: potentials?,
         reactions: every(reactions)?,
         drives: drives?,
-        constraints: constraints?,
+        constraints,
         checks: checks?,
         defaults,
         ..Model::of(motion, state, (mass.known(), inertia?), loads?, pole?)

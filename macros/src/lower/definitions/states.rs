@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::{hint, similar};
+use crate::errors::{every, hint, similar};
 use crate::lower::expressions::{Lowering, Value};
 use crate::model::{Declared, Dimension, Meaning, Own};
 use crate::symbolic::{Id, Stage};
@@ -45,26 +45,45 @@ impl Lowering<'_> {
     /// The states, each with its rate.
     pub fn states(&mut self, description: &Description, declared: &[Declared]) -> Option<Vec<Own>> {
         self.check_rates(description);
-        let mut states = Some(Vec::new());
-        for (state, declared) in distinct(&description.states).zip(declared) {
-            let mut rates = description.rates.iter();
-            let rate = rates.find(|rate| rate.name == state.name);
-            let rate = rate.and_then(|rate| self.rate(rate, declared.dimension));
-            let own = rate.and_then(|rate| self.own(state, rate));
-            match (&mut states, own) {
-                (Some(states), Some(own)) => states.push(own),
-                _ => states = None,
+        let states = distinct(&description.states).zip(declared);
+        every(states.map(|(state, declared)| {
+            let name = state.name.to_string();
+            let rate = self.rate(rate_in(description, &state.name)?, declared.dimension)?;
+            match self.scope.peek(&name) {
+                Some(Value::Scalar(symbol, _)) => Some(Own { name, symbol, rate }),
+                _ => None,
             }
-        }
-        states
+        }))
     }
 
-    fn own(&self, state: &Declaration, rate: Id) -> Option<Own> {
-        let name = state.name.to_string();
-        match self.scope.peek(&name) {
-            Some(Value::Scalar(symbol, _)) => Some(Own { name, symbol, rate }),
+    /// The name and the rate, as written, of the state with this symbol.
+    pub fn state_of<'d>(
+        &mut self,
+        description: &'d Description,
+        symbol: Id,
+    ) -> Option<(&'d Ident, &'d Definition)> {
+        let is_it = |state: &&Declaration| {
+            let value = self.scope.peek(&state.name.to_string());
+            matches!(value, Some(Value::Scalar(id, _)) if id == symbol)
+        };
+        let state = distinct(&description.states).find(is_it)?;
+        Some((&state.name, rate_in(description, &state.name)?))
+    }
+
+    /// The rate of the state with this symbol.
+    pub fn rate_of(&mut self, description: &Description, symbol: Id) -> Option<Id> {
+        let (name, rate) = self.state_of(description, symbol)?;
+        match self.scope.peek(&name.to_string()) {
+            Some(Value::Scalar(_, dimension)) => self.rate(rate, dimension),
             _ => None,
         }
+    }
+
+    /// The user-defined states that these values follow.
+    pub fn own_states(&self, values: &[Id]) -> Vec<Id> {
+        let symbols = self.late_symbols(values).into_iter();
+        let is_own = |id: &Id| matches!(self.work.meaning(*id), Some(Meaning::Own(_)));
+        symbols.filter(is_own).collect()
     }
 
     /// Each state has a rate, and each rate belongs to a state.
@@ -123,4 +142,9 @@ impl Lowering<'_> {
             _ => None,
         }
     }
+}
+
+/// The rate of a state, as written.
+fn rate_in<'d>(description: &'d Description, state: &Ident) -> Option<&'d Definition> {
+    description.rates.iter().find(|rate| rate.name == *state)
 }

@@ -84,7 +84,7 @@ impl Lowering<'_> {
             let (place, found) = (self.culprit(written, Dimension::LENGTH), found.described());
             return self.report(place, format!("a point is in m, and this is {found}"));
         }
-        self.check_early(written, &components, "a point is fixed")?;
+        self.check_fixed(frame, &components, written)?;
         let composed = self.composed.map(|composed| Drawn::From(composed.origin));
         let offset = match composed.unwrap_or(self.drawn) {
             Drawn::From(origin) if frame == self.state.body => {
@@ -94,6 +94,28 @@ impl Lowering<'_> {
             _ => components,
         };
         self.on_axis(Point::Fixed(frame, offset), written.extent)
+    }
+
+    /// A point that is written by its coordinates stands still in its frame.
+    fn check_fixed(
+        &mut self,
+        frame: Frame,
+        components: &Components,
+        written: &Expression,
+    ) -> Option<()> {
+        if self.work.graph.are_early(components) {
+            return Some(());
+        }
+        let moving = match frame {
+            Frame::WORLD => "G + (world(..) - position)",
+            _ => "G + body(..)",
+        };
+        let message = format!(
+            "a point is fixed: it cannot depend on the time, the state or an input; a load may act at \
+             `{moving}`, which moves"
+        );
+        let place = self.late_name(written);
+        self.report(place, message)
     }
 
     /// The offset of a point of the body from G; for any other point, the error `what`.

@@ -76,12 +76,21 @@ impl Lowering<'_> {
                 };
                 return self.report(extent, message);
             };
+            let own = self.own_states(&[value]).into_iter();
+            let place = |state: Id| {
+                written
+                    .value
+                    .as_ref()
+                    .map(|value| self.dependent_name(value, &[state], &[]))
+            };
+            let states = own.filter_map(|state| Some((state, place(state)?)));
             constraints.push(Constraint {
                 name: scalar,
                 place: name.clone(),
                 extent,
                 level,
                 value,
+                states: states.collect(),
             });
         }
         Some(constraints)
@@ -101,7 +110,6 @@ impl Lowering<'_> {
         let expression = written.value.as_ref()?;
         let name = &written.name;
         let value = self.constrained(expression)?;
-        self.check_no_state(expression, value)?;
         let scalars = match value {
             Value::Scalar(id, _) => Some(vec![(name.to_string(), id)]),
             Value::Components(_, components, _) => Some(self.named_components(name, components)),
@@ -120,29 +128,6 @@ impl Lowering<'_> {
         let values: Vec<Id> = scalars.iter().map(|(_, value)| *value).collect();
         self.check_no_acceleration(expression, &values, "a constraint")?;
         Some(scalars)
-    }
-
-    /// Reports user-defined states in constraints: a constraint is differentiated twice, but they
-    /// have one rate.
-    fn check_no_state(&mut self, expression: &Expression, value: Value) -> Option<()> {
-        let components = match value {
-            Value::Scalar(id, _) => vec![id],
-            Value::Components(_, components, _) => components.to_vec(),
-            Value::Vector(vector, _) => self.work.entries(&[vector]),
-            _ => return Some(()),
-        };
-        let symbols = self.late_symbols(&components).into_iter();
-        let is_own = |id: &Id| matches!(self.work.meaning(*id), Some(Meaning::Own(_)));
-        let own: Vec<Id> = symbols.filter(is_own).collect();
-        if own.is_empty() {
-            return Some(());
-        }
-        let place = self.dependent_name(expression, &own, &[]);
-        self.report(
-            place,
-            "a constraint speaks of where bodies are and how they move, of inputs and of time, and this follows \
-             from a state of one's own: let it drive a load instead",
-        )
     }
 
     /// Inputs in a constraint are differentiated with it.

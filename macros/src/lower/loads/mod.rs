@@ -6,4 +6,7 @@ mod link;
 mod load;
 mod potential;
 mod reaction;
+mod states;
 mod uniform_field;
+
+pub use states::check_states;

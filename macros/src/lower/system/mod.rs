@@ -19,6 +19,7 @@ use proc_macro2::Ident;
 
 use crate::errors::Errors;
 use crate::lower::definitions::{FLOW, LINEARIZATION, check_changing, unused};
+use crate::lower::loads::check_states;
 use crate::model::{Connection, Constraint, Member, Outline, System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Id};
 use crate::syntax;
@@ -56,6 +57,14 @@ pub fn lower_system(
     outline.unused = reader.unused(&drafts);
     check_substances(&reader.work, bodies.iter().flatten(), outline, errors);
     let (constraints, (links, lengths)) = (constraints?, reader.links(errors)?);
+    let states = states?;
+    check_states(
+        &reader.work,
+        &constraints.list,
+        &states,
+        &reader.derivatives,
+        errors,
+    )?;
     let (mut bodies, mut joints, mut points, between) = (bodies?, joints?, points?, between?);
     for (body, load) in between.loads {
         bodies[body].loads.push(load);
@@ -75,7 +84,7 @@ pub fn lower_system(
         written,
         points,
         gravity,
-        states: states?,
+        states,
         constraints,
         potentials: potentials?,
         energies: between.energies,

@@ -13,10 +13,12 @@ pub fn motion(system: &System, work: &mut Workspace) -> Direction {
     let time = system.bodies.first().map(|body| body.state.time);
     changes.extend(time.map(|time| (time, work.graph.one())));
     changes.extend(input_rates(work, &system.derivatives));
+    let states = system.states.iter();
+    changes.extend(states.map(|state| (state.symbol, state.rate)));
     let mut turns = BTreeMap::new();
     for joint in &system.joints {
         let rates = |variable: Variable, part: usize| joint.coordinates.get(variable, part);
-        // prescribed coordinates are functions of time
+        // prescribed coordinates are functions of time and of user-defined states
         if !joint.is_driven() {
             changes.extend(places(work, joint, rates));
         }

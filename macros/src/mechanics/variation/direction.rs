@@ -21,7 +21,8 @@ pub struct Direction {
 }
 
 impl Direction {
-    /// The motion of the body, with velocities held; inputs are held, unless they move.
+    /// The motion of the body and user-defined states, with velocities held; inputs are held,
+    /// unless they move.
     pub fn motion(model: &Model, work: &mut Workspace) -> Self {
         let state = &model.state;
         let phi = work.vector(state.axes, state.angular_velocity);
@@ -35,6 +36,8 @@ impl Direction {
             change(graph, changes, axis.unit, axis.rate);
         }
         changes.extend(input_rates(work, &model.derivatives));
+        let states = model.states.iter();
+        changes.extend(states.map(|state| (state.symbol, state.rate)));
         motion
     }
 

@@ -16,6 +16,8 @@ pub struct Constraint {
     pub extent: Extent,
     pub level: Level,
     pub value: Id,
+    /// The user-defined states that it follows, each at its first place.
+    pub states: Vec<(Id, Extent)>,
 }
 
 /// The level of a constraint.

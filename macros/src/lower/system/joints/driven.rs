@@ -2,11 +2,12 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::Errors;
+use crate::errors::{Errors, Extent, silently};
 use crate::model::{Coordinate, Dimension, JointKind, Meaning, Rates, Variable};
-use crate::symbolic::{Id, Node};
+use crate::symbolic::Id;
 use crate::syntax::Expression;
 
+use crate::lower::system::reading::names::moving_locals;
 use crate::lower::system::reading::reader::Reader;
 
 /// The coordinates of a joint, with the variables of their rates and accelerations.
@@ -109,19 +110,20 @@ impl Reader<'_> {
         let value = self.at_top(errors, |lowering| {
             lowering.scalar(written, dimension, "the coordinate of a driven joint")
         })?;
-        let rate = self.rate(value, written, errors)?;
-        let acceleration = self.rate(rate, written, errors)?;
+        let rate = self.rate(value, (value, written), errors)?;
+        let acceleration = self.rate(rate, (value, written), errors)?;
         Some([value, rate, acceleration])
     }
 
-    /// The rate of a function of time, and of inputs with their rates.
-    fn rate(&mut self, value: Id, written: &Expression, errors: &mut Errors) -> Option<Id> {
-        let graph = &self.work.graph;
-        let symbols = graph.reachable(&[value], |id| !graph.is_early(id));
-        let symbols = symbols
-            .into_iter()
-            .filter(|id| matches!(graph.node(*id), Node::Symbol(_)) && !graph.is_early(*id));
-        let symbols: Vec<Id> = symbols.collect();
+    /// The rate of a function of time, of inputs with their rates, and of user-defined states;
+    /// `written` has this value.
+    fn rate(
+        &mut self,
+        function: Id,
+        written: (Id, &Expression),
+        errors: &mut Errors,
+    ) -> Option<Id> {
+        let symbols = self.at_top(errors, |lowering| lowering.late_symbols(&[function]));
         let mut terms = Vec::new();
         for symbol in symbols {
             let rate = match self.work.meaning(symbol) {
@@ -129,19 +131,75 @@ impl Reader<'_> {
                 Some(Meaning::Input(input, part)) if self.derivatives[input] > 0 => {
                     self.work.symbol_of(Meaning::Input(input + 1, part))
                 }
+                Some(Meaning::Own(_)) => Some(self.rate_of_state(symbol, written, errors)?),
                 _ => None,
             };
             let Some(rate) = rate else {
-                errors.push(
-                    written.extent,
-                    "the motion of a driven joint needs its rate and its acceleration: write a function of `t`, or \
-                     of an input with both, `crank[rad].moving`",
-                );
+                self.report_held(symbol, written, errors);
                 return None;
             };
-            let slope = self.work.graph.derivative(&[value], symbol)[0];
+            let slope = self.work.graph.derivative(&[function], symbol)[0];
             terms.push(self.work.graph.multiply(slope, rate));
         }
         Some(self.work.graph.sum(&terms))
+    }
+
+    /// The rate of a state, which is read before the bodies move.
+    fn rate_of_state(
+        &mut self,
+        symbol: Id,
+        (value, written): (Id, &Expression),
+        errors: &mut Errors,
+    ) -> Option<Id> {
+        let top = &self.system.top;
+        let moving = moving_locals(self.system);
+        let (name, rate) = self.at_top(errors, |lowering| lowering.state_of(top, symbol))?;
+        let names = rate.value.iter().flat_map(Expression::names);
+        let follows = names
+            .into_iter()
+            .find(|name| moving.contains(&name.to_string()));
+        if let Some(follows) = follows {
+            let place = self.place_of_states(value, written, errors);
+            let message = format!(
+                "the motion of a driven joint is known before the bodies move, and `{name}` follows from `{follows}`: \
+                 leave out `.driven(..)`, and let a drive move the joint"
+            );
+            errors.push(place, message);
+            return None;
+        }
+        // its mistakes are reported with those of the other rates
+        silently(|errors| self.at_top(errors, |lowering| lowering.rate_of(top, symbol)))
+    }
+
+    /// Reports an input without a rate of its own, in the motion of a joint or in a rate there.
+    fn report_held(
+        &mut self,
+        symbol: Id,
+        (value, written): (Id, &Expression),
+        errors: &mut Errors,
+    ) {
+        let is_direct = self.work.graph.depends_on(&[value], |id| id == symbol);
+        if is_direct {
+            let place = self.at_top(errors, |lowering| {
+                lowering.dependent_name(written, &[symbol], &[])
+            });
+            let message = "the motion of a driven joint needs its rate and its acceleration: write a function of \
+                           `t`, or of an input with both, `crank[rad].moving`";
+            errors.push(place, message);
+            return;
+        }
+        let place = self.place_of_states(value, written, errors);
+        let message = "the motion of a driven joint needs its rate and its acceleration, and this state follows an \
+                       input at once: let its rate be a state too, as `rates: [angle = speed, speed = (command - \
+                       speed) / lag]`, or declare the input as `.moving`";
+        errors.push(place, message);
+    }
+
+    /// The first name in the motion of a joint that follows user-defined states.
+    fn place_of_states(&mut self, value: Id, written: &Expression, errors: &mut Errors) -> Extent {
+        self.at_top(errors, |lowering| {
+            let own = lowering.own_states(&[value]);
+            lowering.dependent_name(written, &own, &[])
+        })
     }
 }

@@ -4,6 +4,7 @@
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 mod bodies;
+mod changing;
 #[path = "../../examples/level_turn.rs"]
 mod level_turn;
 mod modes;

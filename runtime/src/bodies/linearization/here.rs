@@ -26,11 +26,11 @@ pub struct Here<B: Coordinated<N, M>, const N: usize, const M: usize> {
 impl<B: Coordinated<N, M>, const N: usize, const M: usize> Here<B, N, M> {
     /// The equations of steadiness about a state and an input.
     pub fn of<C: Conditions<B::State, B::Input>>(
-        steady: &Steady<'_, B, C>,
+        steady: &Steady<'_, B, C, N>,
         state: B::State,
         input: [f64; M],
     ) -> Self {
-        let about = steady.about::<N, M>(&state, &input);
+        let about = steady.about::<M>(&state, &input);
         let sizes = sizes(&about);
         let rows = about.rows.list().iter().zip(sizes.as_flattened());
         let worst = rows.map(|(row, size)| relative(row.equation.value, *size));

@@ -13,11 +13,13 @@ use super::tangent;
 use crate::bodies::constrained::Violation;
 
 /// The conditions of a steady motion.
-pub struct Steady<'b, B, C> {
+pub struct Steady<'b, B, C, const N: usize> {
     pub body: &'b B,
     pub time: f64,
     /// The angular velocity of the turn \[rad/s\], world axes, if there is one.
     pub turning: Option<Vector3<f64>>,
+    /// The rates that need not vanish.
+    pub changing: [bool; N],
     pub conditions: C,
 }
 
@@ -100,9 +102,9 @@ struct Measured {
 /// A step of finite differences, as a fraction of the plausible change.
 const STEP: f64 = 6e-6;
 
-impl<B, C> Steady<'_, B, C> {
+impl<B, C, const N: usize> Steady<'_, B, C, N> {
     /// The equations about a state and an input.
-    pub fn about<const N: usize, const M: usize>(
+    pub fn about<const M: usize>(
         &self,
         state: &B::State,
         components: &[f64; M],
@@ -136,7 +138,8 @@ impl<B, C> Steady<'_, B, C> {
         let excess = self.excess(&values, &mut about);
         let places = B::PLACES.len();
         for row in 0..N {
-            if row >= places || self.turning.is_some() && B::PLACES[row].turns() {
+            let is_steady = row >= places && !self.changing[row];
+            if is_steady || row < places && self.turning.is_some() && B::PLACES[row].turns() {
                 let by = Change {
                     state: about.matrix.row(row).transpose(),
                     input: b.row(row).transpose(),
@@ -157,7 +160,7 @@ impl<B, C> Steady<'_, B, C> {
     }
 
     /// The rate of a state minus that of the turn of the world; likewise A.
-    fn excess<const N: usize, const M: usize>(
+    fn excess<const M: usize>(
         &self,
         values: &SVector<f64, N>,
         about: &mut About<B::Linearization, N, M>,
@@ -199,7 +202,7 @@ impl<B, C> Steady<'_, B, C> {
     /// of constraints. Constraints are linear in the rates. Unit rates therefore give their
     /// derivatives by rates, and those of positions by coordinates, to rounding; all other
     /// derivatives are finite differences.
-    fn measured<const N: usize, const M: usize>(
+    fn measured<const M: usize>(
         &self,
         state: &B::State,
         components: &[f64; M],
@@ -242,7 +245,7 @@ impl<B, C> Steady<'_, B, C> {
     }
 
     /// Of constraints, the derivatives by rates, and of those of positions by coordinates.
-    fn measured_by_rates<const N: usize, const M: usize>(
+    fn measured_by_rates<const M: usize>(
         &self,
         state: &B::State,
         components: &[f64; M],
@@ -275,7 +278,7 @@ impl<B, C> Steady<'_, B, C> {
     }
 
     /// Constraints, followed by conditions; also the number of constraints.
-    fn measure<const N: usize, const M: usize>(
+    fn measure<const M: usize>(
         &self,
         state: &B::State,
         components: &[f64; M],

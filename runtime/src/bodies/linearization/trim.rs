@@ -17,7 +17,8 @@ use super::trim_error::TrimError;
 
 /// Steady motions and equilibria of bodies and systems with `outputs: [linearization]`.
 ///
-/// A motion is *steady* if nothing accelerates: rates stay constant, and so do user-defined states.
+/// A motion is *steady* if nothing accelerates: rates stay constant, and so do user-defined states,
+/// but for those that may be [`changing`](Search::changing).
 /// With zero rates it is an equilibrium. With [`Search::turning`] it is a steady turn: velocities
 /// rotate with the world at a given rate, and so does the body.
 pub trait Trim<const STATES: usize, const INPUTS: usize>: Coordinated<STATES, INPUTS> {
@@ -59,6 +60,7 @@ pub trait Trim<const STATES: usize, const INPUTS: usize>: Coordinated<STATES, IN
                 body: self,
                 time: 0.0,
                 turning: None,
+                changing: [false; STATES],
                 conditions: (),
             },
             state: state.clone(),
@@ -74,7 +76,7 @@ impl<B: Coordinated<N, M>, const N: usize, const M: usize> Trim<N, M> for B {}
 /// A search for a steady motion, [`Trim::trim`].
 #[must_use = "a search begins with `solve`"]
 pub struct Search<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> {
-    steady: Steady<'b, B, C>,
+    steady: Steady<'b, B, C, N>,
     state: B::State,
     input: [f64; M],
     /// One for free quantities, zero for others.
@@ -106,8 +108,7 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
             let mut is_known = false;
             let known = states.iter().chain(&inputs);
             for (to, known) in self.free.iter_mut().zip(known) {
-                let rest = known.strip_prefix(name);
-                if rest.is_some_and(|rest| matches!(rest, "" | "_x" | "_y" | "_z")) {
+                if is_of(known, name) {
                     *to = 1.0;
                     is_known = true;
                 }
@@ -135,6 +136,26 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         self
     }
 
+    /// Quantities that need not stay constant, by their names in [`Linearized::STATES`]: fuel that
+    /// burns, a battery that is drained, a velocity that grows. They keep their values in the
+    /// search, unless they are free, and the motion is steady but for them. Coordinates, such as
+    /// positions, change in any case.
+    pub fn changing<const K: usize>(mut self, names: [&'static str; K]) -> Self {
+        let states = <B::Linearization as Linearized<N, M>>::STATES;
+        for name in names {
+            let rates = states.iter().enumerate().skip(B::PLACES.len());
+            let mut is_known = false;
+            for (row, _) in rates.filter(|(_, known)| is_of(known, name)) {
+                self.steady.changing[row] = true;
+                is_known = true;
+            }
+            if !is_known {
+                self.unknown = self.unknown.or(Some(name));
+            }
+        }
+        self
+    }
+
     /// An additional condition: a smooth function of state and input that must be zero, such as a
     /// sideslip, or a bank angle minus its target.
     pub fn hold<F: Fn(&B::State, &B::Input) -> f64>(
@@ -146,6 +167,7 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
             body,
             time,
             turning,
+            changing,
             conditions: others,
         } = self.steady;
         Search {
@@ -153,6 +175,7 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
                 body,
                 time,
                 turning,
+                changing,
                 conditions: Condition {
                     others,
                     name,
@@ -271,6 +294,12 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         let held = few(names.zip(least.helps.iter()));
         Err(TrimError::Unbalanced { residual, held })
     }
+}
+
+/// Whether a component is this quantity, or one of this vector.
+fn is_of(component: &str, name: &str) -> bool {
+    let rest = component.strip_prefix(name);
+    rest.is_some_and(|rest| matches!(rest, "" | "_x" | "_y" | "_z"))
 }
 
 /// The limit of Newton steps: near a solution about six are needed.

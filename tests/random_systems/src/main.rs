@@ -94,6 +94,7 @@ mod tests {
             "(local)",
             "(open drive)",
             "(armature)",
+            "(regressor)",
         ];
         for kind in kinds {
             let mut words = report.joints.keys();
@@ -219,6 +220,23 @@ mod tests {
             "reaction",
         );
         assert!(wrong > 4 && seen * 3 > wrong * 2, "{seen} of {wrong}");
+    }
+
+    #[test]
+    fn a_wrong_regressor_is_seen() {
+        let (wrong, seen) = seen(
+            |drawn| drawn.rings.is_empty() && drawn.gravity.is_some(),
+            |compiled| {
+                let columns = &mut compiled.regressors.as_mut()?.last_mut()?.columns;
+                let right = *columns.last()?.first()?;
+                let wrong = off(compiled, right);
+                let columns = &mut compiled.regressors.as_mut()?.last_mut()?.columns;
+                *columns.last_mut()?.first_mut()? = wrong;
+                Some(())
+            },
+            "regressor",
+        );
+        assert!(wrong > 4 && seen * 2 > wrong, "{seen} of {wrong}");
     }
 
     #[test]

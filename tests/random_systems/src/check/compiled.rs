@@ -5,11 +5,11 @@ use std::collections::HashMap;
 use mounted::errors::Errors;
 use mounted::lower::{lower_system, outline, outline_system};
 use mounted::mechanics::{
-    Balance, Consistency, Energy, Inertias, Jacobian, Linearization, Momentum, SystemEquations,
-    derive_inertias, derive_jacobians, derive_system, derive_system_balances,
+    Balance, Consistency, Energy, Inertias, Jacobian, Linearization, Momentum, Regressor,
+    SystemEquations, derive_inertias, derive_jacobians, derive_system, derive_system_balances,
     derive_system_consistency, derive_system_driving, derive_system_energy, derive_system_inverse,
-    derive_system_momentum, derive_system_open, derive_system_reactions, describe_system,
-    differentiated_system, linearize, sensitivity, with_system_potentials,
+    derive_system_momentum, derive_system_open, derive_system_reactions, derive_system_regressors,
+    describe_system, differentiated_system, linearize, sensitivity, with_system_potentials,
 };
 use mounted::model::{Meaning, Outline, System, Variable, Workspace};
 use mounted::outputs::offers;
@@ -47,6 +47,8 @@ pub struct Compiled {
     pub ties: Vec<(usize, Id)>,
     pub linearization: Option<Linearization>,
     pub sensitivity: Option<Linearization>,
+    /// By the system's bodies.
+    pub regressors: Option<Vec<Regressor>>,
 }
 
 /// Values of the symbols.
@@ -134,6 +136,7 @@ impl Compiled {
         let ties = system.links.iter().map(|tie| number_of(&tie.name));
         let is_asked = outline.rank("linearization").is_some();
         let has_params = outline.rank("sensitivity").is_some();
+        let has_regressor = outline.rank("regressor").is_some();
         let constraints = derive_system_consistency(&system, &mut work, &equations);
         Some(Self {
             links: system
@@ -155,6 +158,8 @@ impl Compiled {
                 let differentiated = differentiated_system(&system, &mut work, &equations);
                 sensitivity(&outline, &mut work, differentiated)
             }),
+            regressors: has_regressor
+                .then(|| derive_system_regressors(&system, &mut work, &equations)),
             skipped: describe_system(&system, &work, &equations).skipped,
             accelerations: equations.accelerations.clone(),
             reactions,

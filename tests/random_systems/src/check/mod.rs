@@ -6,6 +6,7 @@ mod inverse;
 mod linearized;
 mod motion;
 mod power;
+mod regressed;
 mod second;
 pub mod state;
 mod totals;
@@ -73,6 +74,7 @@ pub fn check(
     };
     let found = checks.motion();
     checks.any_motion();
+    checks.regressed(rng);
     checks.totals();
     checks.words();
     checks.jacobian();

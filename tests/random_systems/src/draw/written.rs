@@ -45,6 +45,10 @@ impl Drawing {
                 outputs.push("sensitivity");
             }
         }
+        // the parameters are constant, and states may change masses
+        if self.numbers.one_of(3) && self.numbers.declared.states.is_empty() {
+            outputs.push("regressor");
+        }
         let text = self.text(&bodies, &joints, &outputs, false);
         let opened = (!self.open.is_empty()).then(|| {
             let outputs = [&outputs[..], &["inverse"]].concat();

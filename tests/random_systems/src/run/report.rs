@@ -57,6 +57,7 @@ impl Report {
             (drawn.open.len(), "open drive"),
             (system.links.len(), "link"),
             (drawn.text.matches(".armature").count(), "armature"),
+            (usize::from(compiled.regressors.is_some()), "regressor"),
             (
                 usize::from(compiled.linearization.is_some()),
                 "linearization",

@@ -28,9 +28,9 @@ fn described(text: &str, name: &str) -> TokenStream {
     named.next().expect("a system of this name")
 }
 
-/// The same with its derivatives alone.
-fn linear(description: TokenStream) -> TokenStream {
-    let asked = quote!(outputs: [linearization]);
+/// The same with these outputs alone.
+fn asking(description: TokenStream, outputs: &TokenStream) -> TokenStream {
+    let asked = quote!(outputs: [#outputs]);
     let trees = description.into_iter().map(|tree| match tree {
         TokenTree::Group(keys) => {
             let mut kept = TokenStream::new();
@@ -113,9 +113,14 @@ fn main() {
             "optimised"
         }
     );
+    let (none, linearization) = (quote!(), quote!(linearization));
     let bodies = [
         ("quadrotor", quadrotor()),
-        ("quadrotor, linearization", linear(quadrotor())),
+        ("quadrotor, no output", asking(quadrotor(), &none)),
+        (
+            "quadrotor, linearization",
+            asking(quadrotor(), &linearization),
+        ),
         ("every kind of load, all outputs", with_everything()),
         ("1 force", many_forces(1)),
         ("10 forces", many_forces(10)),
@@ -139,8 +144,12 @@ fn main() {
         ),
         ("UR5".into(), described(references, "Ur5")),
         (
+            "UR5, no output".into(),
+            asking(described(references, "Ur5"), &none),
+        ),
+        (
             "UR5, linearization".into(),
-            linear(described(references, "Ur5")),
+            asking(described(references, "Ur5"), &linearization),
         ),
         (
             "quadruped, 18 freedoms".into(),

@@ -241,7 +241,7 @@ impl<B, C> Steady<'_, B, C> {
         first + kept
     }
 
-    /// Of constraints, the derivatives by rates, and of those of positions by coordinates.
+    /// The derivatives of constraints by rates, and those of position constraints by coordinates.
     fn measured_by_rates<const N: usize, const M: usize>(
         &self,
         state: &B::State,

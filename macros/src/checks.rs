@@ -10,106 +10,191 @@ use super::errors::Errors;
 /// Values of symbols.
 type Known = BTreeMap<Id, Number>;
 
-/// Reports all claims that are false or undecided; `answers` replace symbols that
-/// follow from the motion.
-pub fn check_claims(
-    (checks, defaults): (&Checks, &Defaults),
-    answers: &[(Id, Id)],
-    (outline, work): (&Outline, &Workspace),
-    errors: &mut Errors,
-) {
-    for check in &checks.list {
-        if let Some(known) = given(check, defaults, (outline, work), errors) {
-            decide(check, &known, answers, (outline, work), errors);
-        }
-    }
+/// The knowledge by which claims are decided.
+pub struct Evidence<'a> {
+    pub outline: &'a Outline,
+    pub work: &'a Workspace,
+    pub defaults: &'a Defaults,
+    /// The expressions that replace symbols that follow from the motion.
+    pub answers: &'a [(Id, Id)],
 }
 
-/// The given values, and the defaults of the other params.
-fn given(
-    check: &Check,
-    defaults: &Defaults,
-    (outline, work): (&Outline, &Workspace),
-    errors: &mut Errors,
-) -> Option<Known> {
-    let graph = &work.graph;
-    let is_given = |symbol: &Id| check.given.iter().any(|(other, ..)| other == symbol);
-    let mut known: Known = defaults
-        .iter()
-        .filter(|(symbol, _)| !is_given(symbol))
-        .filter_map(|(symbol, value)| Some((*symbol, graph.as_number(*value)?.clone())))
-        .collect();
-    // each may depend on others
-    let mut left: Vec<_> = check.given.iter().collect();
-    loop {
-        let count = left.len();
-        let mut open = None;
-        left.retain(|(symbol, value, place)| {
-            match evaluate(work, *value, &known) {
-                Exact::Number(number) => {
-                    known.insert(*symbol, number);
-                    return false;
-                }
-                other => open = open.take().or(Some((*place, other))),
+impl Evidence<'_> {
+    /// Reports all claims that are false or undecided.
+    pub fn check(&self, checks: &Checks, errors: &mut Errors) {
+        for check in &checks.list {
+            if let Some(known) = self.given(check, errors) {
+                self.decide(check, &known, errors);
             }
-            true
-        });
-        let Some((place, found)) = open else {
-            return Some(known);
-        };
-        if left.len() == count {
-            let message = match found {
-                Exact::Open(symbols) if symbols.iter().all(is_given) => {
-                    "what is given here follows from each other: give one of them a number"
-                        .to_owned()
+        }
+    }
+
+    /// The given values, and the defaults of the other params.
+    fn given(&self, check: &Check, errors: &mut Errors) -> Option<Known> {
+        let graph = &self.work.graph;
+        let is_given = |symbol: &Id| check.given.iter().any(|(other, ..)| other == symbol);
+        let mut known: Known = self
+            .defaults
+            .iter()
+            .filter(|(symbol, _)| !is_given(symbol))
+            .filter_map(|(symbol, value)| Some((*symbol, graph.as_number(*value)?.clone())))
+            .collect();
+        // each may depend on others
+        let mut left: Vec<_> = check.given.iter().collect();
+        loop {
+            let count = left.len();
+            let mut open = None;
+            left.retain(|(symbol, value, place)| {
+                match self.evaluate(*value, &known) {
+                    Exact::Number(number) => {
+                        known.insert(*symbol, number);
+                        return false;
+                    }
+                    other => open = open.take().or(Some((*place, other))),
                 }
-                Exact::Open(symbols) => format!("this {}", lacking(&symbols, (outline, work))),
-                Exact::Undecided => UNDECIDED.to_owned(),
-                _ => "this has no value in this state".to_owned(),
+                true
+            });
+            let Some((place, found)) = open else {
+                return Some(known);
             };
-            return errors.report(place, message);
+            if left.len() == count {
+                let message = match found {
+                    Exact::Open(symbols) if symbols.iter().all(is_given) => {
+                        "what is given here follows from each other: give one of them a number"
+                            .to_owned()
+                    }
+                    Exact::Open(symbols) => format!("this {}", self.lacking(&symbols)),
+                    Exact::Undecided => UNDECIDED.to_owned(),
+                    _ => "this has no value in this state".to_owned(),
+                };
+                return errors.report(place, message);
+            }
+        }
+    }
+
+    /// Decides all claims of one check.
+    fn decide(&self, check: &Check, known: &Known, errors: &mut Errors) {
+        let graph = &self.work.graph;
+        let sides: Vec<Id> = check.claims.iter().flat_map(|claim| claim.sides).collect();
+        let needed = graph.reachable(&sides, |_| true);
+        let answers = self
+            .answers
+            .iter()
+            .filter(|(symbol, _)| needed.contains(symbol));
+        let (symbols, roots): (Vec<Id>, Vec<Id>) = answers.copied().unzip();
+        let found = graph.exact(&roots, |id| known.get(&id).cloned());
+        let mut values = known.clone();
+        let mut without = BTreeMap::new();
+        for (symbol, value) in symbols.into_iter().zip(found) {
+            match value {
+                Exact::Number(number) => {
+                    values.insert(symbol, number);
+                }
+                other => {
+                    without.insert(symbol, other);
+                }
+            }
+        }
+        for claim in &check.claims {
+            let found = graph.exact(&claim.sides, |id| values.get(&id).cloned());
+            let found = found.into_iter().map(|value| followed(value, &without));
+            let found: Vec<Exact> = found.collect();
+            if let Some(why) = self.refuted(claim, &found) {
+                errors.push(claim.place, format!("`{}` {why}", check.name));
+            }
+        }
+    }
+
+    fn evaluate(&self, id: Id, known: &Known) -> Exact {
+        let mut values = self.work.graph.exact(&[id], |id| known.get(&id).cloned());
+        values.pop().unwrap_or(Exact::Absent)
+    }
+
+    /// The reason why a claim is false, or undecided.
+    fn refuted(&self, claim: &Claim, found: &[Exact]) -> Option<String> {
+        let (a, b) = match found {
+            [Exact::Number(a), Exact::Number(b)] => (a, b),
+            [Exact::Open(symbols), other] | [other, Exact::Open(symbols)] => {
+                let mut all = symbols.clone();
+                if let Exact::Open(more) = other {
+                    all.extend(more);
+                }
+                return Some(self.lacking(&all));
+            }
+            _ if found.iter().any(|one| matches!(one, Exact::Absent)) => {
+                let message = "has no value in this state: something is divided by zero, or outside of the domain of its function, or \
+                 a load that the balances do not determine";
+                return Some(message.to_owned());
+            }
+            _ => return Some(format!("is not decided: {UNDECIDED}")),
+        };
+        let [left, right] = if claim.is_turned { [b, a] } else { [a, b] };
+        match Exact::compare(claim.comparison, a, b) {
+            Exact::Number(holds) if holds.is_one() => None,
+            Exact::Number(_) => {
+                let (first, second) = told_apart(left, right);
+                Some(match claim.comparison {
+                    Comparison::NotEqual => format!("does not hold: both sides are {first}"),
+                    _ => {
+                        format!(
+                            "does not hold: the left side is {first}, and the right side {second}"
+                        )
+                    }
+                })
+            }
+            _ => Some(format!(
+                "is not decided: the left side is {}, and the right side the same in thousands of bits, and nothing \
+             proves them equal",
+                shown(left)
+            )),
+        }
+    }
+
+    /// The names of missing values.
+    fn lacking(&self, symbols: &BTreeSet<Id>) -> String {
+        let names = symbols.iter().map(|symbol| self.name(*symbol));
+        let names: BTreeSet<String> = names.collect();
+        let given: Vec<String> = names.iter().map(|name| format!("{name} = ..")).collect();
+        let list: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+        let is = if list.len() == 1 { "is" } else { "are" };
+        format!(
+            "depends on {}, which {is} not given: write `.given({})` behind the condition",
+            list.join(", "),
+            given.join(", ")
+        )
+    }
+
+    fn name(&self, symbol: Id) -> String {
+        let (outline, work) = (self.outline, self.work);
+        let declared = |list: &[crate::model::Declared], number: usize| {
+            let found = list.get(number);
+            found.map_or_else(String::new, |one| one.name.to_string())
+        };
+        match work.meaning(symbol) {
+            Some(Meaning::Time) => "t".to_owned(),
+            Some(Meaning::Param(number, _)) => declared(&outline.params, number),
+            Some(Meaning::Input(number, _)) => declared(&outline.inputs, number),
+            Some(Meaning::Own(number)) => declared(&outline.states, number),
+            Some(meaning @ Meaning::Of(frame, ..)) => {
+                let joint = outline
+                    .joints
+                    .iter()
+                    .find(|joint| joint.frame == Some(frame));
+                let shape = joint.map_or(outline.motion.shape, |joint| joint.shape);
+                let mut fields = shape.fields.iter();
+                let field = fields.find(|field| field.component(meaning).is_some());
+                let path = field.map_or("acceleration", |field| field.path);
+                // the components of a quaternion are given as `attitude`
+                let path = path.split('.').next().unwrap_or(path);
+                joint.map_or(path.to_owned(), |joint| format!("{}.{path}", joint.name))
+            }
+            _ => "what follows from the motion".to_owned(),
         }
     }
 }
 
 const UNDECIDED: &str =
     "whether something in this is zero is not told by thousands of bits, nor proved";
-
-/// Decides all claims of one check.
-fn decide(
-    check: &Check,
-    known: &Known,
-    answers: &[(Id, Id)],
-    (outline, work): (&Outline, &Workspace),
-    errors: &mut Errors,
-) {
-    let graph = &work.graph;
-    let sides: Vec<Id> = check.claims.iter().flat_map(|claim| claim.sides).collect();
-    let needed = graph.reachable(&sides, |_| true);
-    let answers = answers.iter().filter(|(symbol, _)| needed.contains(symbol));
-    let (symbols, roots): (Vec<Id>, Vec<Id>) = answers.copied().unzip();
-    let found = graph.exact(&roots, |id| known.get(&id).cloned());
-    let mut values = known.clone();
-    let mut without = BTreeMap::new();
-    for (symbol, value) in symbols.into_iter().zip(found) {
-        match value {
-            Exact::Number(number) => {
-                values.insert(symbol, number);
-            }
-            other => {
-                without.insert(symbol, other);
-            }
-        }
-    }
-    for claim in &check.claims {
-        let found = graph.exact(&claim.sides, |id| values.get(&id).cloned());
-        let found = found.into_iter().map(|value| followed(value, &without));
-        let found: Vec<Exact> = found.collect();
-        if let Some(why) = refuted(claim, &found, (outline, work)) {
-            errors.push(claim.place, format!("`{}` {why}", check.name));
-        }
-    }
-}
 
 /// The symbols that a value lacks; those that follow from the motion are replaced by what they
 /// lack.
@@ -130,49 +215,6 @@ fn followed(value: Exact, without: &BTreeMap<Id, Exact>) -> Exact {
     Exact::Open(open)
 }
 
-fn evaluate(work: &Workspace, id: Id, known: &Known) -> Exact {
-    let mut values = work.graph.exact(&[id], |id| known.get(&id).cloned());
-    values.pop().unwrap_or(Exact::Absent)
-}
-
-/// The reason why a claim is false, or undecided.
-fn refuted(claim: &Claim, found: &[Exact], context: (&Outline, &Workspace)) -> Option<String> {
-    let (a, b) = match found {
-        [Exact::Number(a), Exact::Number(b)] => (a, b),
-        [Exact::Open(symbols), other] | [other, Exact::Open(symbols)] => {
-            let mut all = symbols.clone();
-            if let Exact::Open(more) = other {
-                all.extend(more);
-            }
-            return Some(lacking(&all, context));
-        }
-        _ if found.iter().any(|one| matches!(one, Exact::Absent)) => {
-            let message = "has no value in this state: something is divided by zero, or outside of the domain of its function, or \
-                 a load that the balances do not determine";
-            return Some(message.to_owned());
-        }
-        _ => return Some(format!("is not decided: {UNDECIDED}")),
-    };
-    let [left, right] = if claim.is_turned { [b, a] } else { [a, b] };
-    match Exact::compare(claim.comparison, a, b) {
-        Exact::Number(holds) if holds.is_one() => None,
-        Exact::Number(_) => {
-            let (first, second) = told_apart(left, right);
-            Some(match claim.comparison {
-                Comparison::NotEqual => format!("does not hold: both sides are {first}"),
-                _ => {
-                    format!("does not hold: the left side is {first}, and the right side {second}")
-                }
-            })
-        }
-        _ => Some(format!(
-            "is not decided: the left side is {}, and the right side the same in thousands of bits, and nothing \
-             proves them equal",
-            shown(left)
-        )),
-    }
-}
-
 /// Two numbers in words; if doubles do not distinguish them, by their difference.
 fn told_apart(left: &Number, right: &Number) -> (String, String) {
     let (first, second) = (shown(left), shown(right));
@@ -187,45 +229,4 @@ fn told_apart(left: &Number, right: &Number) -> (String, String) {
     };
     let beyond = format!("{} {sign}", shown(&difference.abs()));
     (first, beyond)
-}
-
-/// The names of missing values.
-fn lacking(symbols: &BTreeSet<Id>, (outline, work): (&Outline, &Workspace)) -> String {
-    let names = symbols.iter().map(|symbol| name(*symbol, outline, work));
-    let names: BTreeSet<String> = names.collect();
-    let given: Vec<String> = names.iter().map(|name| format!("{name} = ..")).collect();
-    let list: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-    let is = if list.len() == 1 { "is" } else { "are" };
-    format!(
-        "depends on {}, which {is} not given: write `.given({})` behind the condition",
-        list.join(", "),
-        given.join(", ")
-    )
-}
-
-fn name(symbol: Id, outline: &Outline, work: &Workspace) -> String {
-    let declared = |list: &[crate::model::Declared], number: usize| {
-        let found = list.get(number);
-        found.map_or_else(String::new, |one| one.name.to_string())
-    };
-    match work.meaning(symbol) {
-        Some(Meaning::Time) => "t".to_owned(),
-        Some(Meaning::Param(number, _)) => declared(&outline.params, number),
-        Some(Meaning::Input(number, _)) => declared(&outline.inputs, number),
-        Some(Meaning::Own(number)) => declared(&outline.states, number),
-        Some(meaning @ Meaning::Of(frame, ..)) => {
-            let joint = outline
-                .joints
-                .iter()
-                .find(|joint| joint.frame == Some(frame));
-            let shape = joint.map_or(outline.motion.shape, |joint| joint.shape);
-            let mut fields = shape.fields.iter();
-            let field = fields.find(|field| field.component(meaning).is_some());
-            let path = field.map_or("acceleration", |field| field.path);
-            // the components of a quaternion are given as `attitude`
-            let path = path.split('.').next().unwrap_or(path);
-            joint.map_or(path.to_owned(), |joint| format!("{}.{path}", joint.name))
-        }
-        _ => "what follows from the motion".to_owned(),
-    }
 }

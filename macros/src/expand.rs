@@ -2,14 +2,14 @@
 
 use proc_macro2::TokenStream;
 
-use crate::checks::check_claims;
+use crate::checks::Evidence;
 use crate::emit::items::Roots;
 use crate::emit::{Sound, emit_body, emit_tracked};
 use crate::errors::Errors;
 use crate::mechanics::Switch;
 use crate::model::{Model, Outline, System, Workspace};
 use crate::outputs::{Listed, Outputs, check_equations, derive_outputs, offers, wanted};
-use crate::range::check_range;
+use crate::range::Constants;
 use crate::syntax::File;
 use crate::{lower, syntax};
 
@@ -91,22 +91,30 @@ fn solve<S: Listed>(
     }
     outputs.describe(outline, (&model, &work), &mut report);
     let answers = model.answers(&mut work, &equations);
-    let claimed = (model.checks(), model.defaults());
-    check_claims(claimed, &answers, (outline, &work), errors);
-    let equations = equated;
+    let evidence = Evidence {
+        outline,
+        work: &work,
+        defaults: model.defaults(),
+        answers: &answers,
+    };
+    evidence.check(model.checks(), errors);
     let roots = Roots {
-        finite: [equations.accelerations.clone(), outputs.roots()].concat(),
-        switches: equations.switches.iter().flat_map(Switch::roots).collect(),
+        finite: [equated.accelerations.clone(), outputs.roots()].concat(),
+        switches: equated.switches.iter().flat_map(Switch::roots).collect(),
         tensor: outputs.tensor(),
         properties: model.properties().to_vec(),
     };
     let bodies = model.substances();
-    let known = (&bodies[..], model.defaults());
-    check_range(known, &mut work, outline, &roots.finite, errors);
+    let constants = Constants {
+        outline,
+        bodies: &bodies,
+        defaults: model.defaults(),
+    };
+    constants.check(&mut work, &roots.finite, errors);
     let sound = Sound {
         bodies,
         work,
-        equations,
+        equations: equated,
         report,
         roots,
     };

@@ -5,30 +5,32 @@ use crate::symbolic::{Id, Number, Stage};
 
 use super::errors::Errors;
 
-/// Reports constants of the equations that no double can hold, using the defaults of
-/// parameters.
-pub fn check_range(
-    (bodies, defaults): (&[Substance], &Defaults),
-    work: &mut Workspace,
-    outline: &Outline,
-    roots: &[Id],
-    errors: &mut Errors,
-) {
-    let graph = &mut work.graph;
-    let early: Vec<Id> = graph
-        .reachable(roots, |id| !graph.is_early(id))
-        .into_iter()
-        .filter(|id| graph.is_early(*id))
-        .collect();
-    let values = graph.substitute(&early, |id| defaults.get(&id).copied());
-    let has_no_value = values.iter().any(|id| graph.is_undefined(*id));
-    if has_no_value && report_without_value(defaults, work, errors) {
-        return;
-    }
-    let graph = &work.graph;
-    let is_undecided = |id: &Id| graph.as_number(*id).is_some_and(Number::is_undecided);
-    if values.iter().any(is_undecided) {
-        errors.push(
+/// A body or a system whose constants have values, by the defaults of parameters.
+pub struct Constants<'a> {
+    pub outline: &'a Outline,
+    pub bodies: &'a [Substance],
+    pub defaults: &'a Defaults,
+}
+
+impl Constants<'_> {
+    /// Reports constants of the equations that no double can hold.
+    pub fn check(&self, work: &mut Workspace, roots: &[Id], errors: &mut Errors) {
+        let (outline, defaults) = (self.outline, self.defaults);
+        let graph = &mut work.graph;
+        let early: Vec<Id> = graph
+            .reachable(roots, |id| !graph.is_early(id))
+            .into_iter()
+            .filter(|id| graph.is_early(*id))
+            .collect();
+        let values = graph.substitute(&early, |id| defaults.get(&id).copied());
+        let has_no_value = values.iter().any(|id| graph.is_undefined(*id));
+        if has_no_value && report_without_value(defaults, work, errors) {
+            return;
+        }
+        let graph = &work.graph;
+        let is_undecided = |id: &Id| graph.as_number(*id).is_some_and(Number::is_undecided);
+        if values.iter().any(is_undecided) {
+            errors.push(
             outline.name.span(),
             format!(
                 "a constant in the equations of `{}` is zero to thousands of bits, and not proved to be \
@@ -36,21 +38,20 @@ pub fn check_range(
                 outline.name
             ),
         );
-        return;
-    }
-    let out_of_range = |id: &Id| {
-        let number = graph.as_number(*id);
-        graph.is_undefined(*id) || number.is_some_and(|number| !number.fits_f64())
-    };
-    if values.iter().any(out_of_range)
-        || outline.has_default() && overflows((bodies, defaults), work, &early)
-    {
-        let with = if outline.params.is_empty() {
-            ""
-        } else {
-            " with the defaults of its parameters"
+            return;
+        }
+        let out_of_range = |id: &Id| {
+            let number = graph.as_number(*id);
+            graph.is_undefined(*id) || number.is_some_and(|number| !number.fits_f64())
         };
-        errors.push(
+        if values.iter().any(out_of_range) || outline.has_default() && self.overflows(work, &early)
+        {
+            let with = if outline.params.is_empty() {
+                ""
+            } else {
+                " with the defaults of its parameters"
+            };
+            errors.push(
             outline.name.span(),
             format!(
                 "a constant in the equations of `{}` is out of the range of `f64`{with}: choose \
@@ -58,84 +59,65 @@ pub fn check_range(
                 outline.name
             ),
         );
-        return;
+            return;
+        }
+        for body in self.bodies {
+            self.check_rounded(&body.inertia_entries(), work, errors);
+        }
     }
-    check_rounded_inertia((bodies, defaults), work, outline, errors);
-}
 
-/// Reports an inertia that is possible as written, but that the constructor, which computes
-/// in doubles, rejects with the defaults of all parameters.
-fn check_rounded_inertia(
-    (bodies, defaults): (&[Substance], &Defaults),
-    work: &Workspace,
-    outline: &Outline,
-    errors: &mut Errors,
-) {
-    for body in bodies {
-        check_rounded(&body.inertia_entries(), defaults, work, outline, errors);
-    }
-}
-
-fn check_rounded(
-    entries: &[Id],
-    defaults: &Defaults,
-    work: &Workspace,
-    outline: &Outline,
-    errors: &mut Errors,
-) {
-    let graph = &work.graph;
-    let is_open = entries
-        .iter()
-        .any(|id| graph.stage(*id) == Stage::Parameter);
-    if !is_open || !graph.are_early(entries) || !outline.has_default() {
-        return;
-    }
-    let default = |symbol: Id| graph.as_number(*defaults.get(&symbol)?);
-    let rounded = graph.evaluate(entries, |symbol| {
-        default(symbol).map_or(f64::NAN, Number::to_f64)
-    });
-    if !is_possible(&rounded) {
-        errors.push(
-            outline.name.span(),
-            format!(
-                "with the defaults of its parameters the inertia of `{}` about G is lost in \
+    /// Reports an inertia that is possible as written, but that the constructor, which computes
+    /// in doubles, rejects with the defaults of all parameters.
+    fn check_rounded(&self, entries: &[Id], work: &Workspace, errors: &mut Errors) {
+        let outline = self.outline;
+        let graph = &work.graph;
+        let is_open = entries
+            .iter()
+            .any(|id| graph.stage(*id) == Stage::Parameter);
+        if !is_open || !graph.are_early(entries) || !outline.has_default() {
+            return;
+        }
+        if !is_possible(&self.rounded(work, entries)) {
+            errors.push(
+                outline.name.span(),
+                format!(
+                    "with the defaults of its parameters the inertia of `{}` about G is lost in \
                  rounding: write it about a point nearer to G",
-                outline.name
-            ),
-        );
+                    outline.name
+                ),
+            );
+        }
     }
-}
 
-/// Whether the constructor, which computes in doubles step by step, leaves their range with the
-/// defaults of all parameters, on its way to one of the `early` values or to mass and inertia.
-fn overflows(
-    (bodies, defaults): (&[Substance], &Defaults),
-    work: &Workspace,
-    early: &[Id],
-) -> bool {
-    let graph = &work.graph;
-    let wanted = early
-        .iter()
-        .copied()
-        .chain(bodies.iter().flat_map(Substance::inertia_entries));
-    let mass = bodies.iter().filter_map(|body| body.mass);
-    let wanted: Vec<Id> = wanted
-        .chain(mass)
-        .filter(|id| graph.is_early(*id))
-        .collect();
-    let default = |symbol: Id| graph.as_number(*defaults.get(&symbol)?);
-    let values = graph.evaluate(&wanted, |symbol| {
-        default(symbol).map_or(f64::NAN, Number::to_f64)
-    });
-    values.iter().any(|value| !value.is_finite())
+    /// Whether the constructor, which computes in doubles step by step, leaves their range with the
+    /// defaults of all parameters, on its way to one of the `early` values or to mass and inertia.
+    fn overflows(&self, work: &Workspace, early: &[Id]) -> bool {
+        let graph = &work.graph;
+        let wanted = early
+            .iter()
+            .copied()
+            .chain(self.bodies.iter().flat_map(Substance::inertia_entries));
+        let mass = self.bodies.iter().filter_map(|body| body.mass);
+        let wanted: Vec<Id> = wanted
+            .chain(mass)
+            .filter(|id| graph.is_early(*id))
+            .collect();
+        let values = self.rounded(work, &wanted);
+        values.iter().any(|value| !value.is_finite())
+    }
+
+    /// Early values in doubles, computed step by step; NaN without a default.
+    fn rounded(&self, work: &Workspace, early: &[Id]) -> Vec<f64> {
+        let graph = &work.graph;
+        let default = |symbol: Id| graph.as_number(*self.defaults.get(&symbol)?);
+        graph.evaluate(early, |symbol| {
+            default(symbol).map_or(f64::NAN, Number::to_f64)
+        })
+    }
 }
 
 /// Reports the first part of the description without a value for the defaults of the parameters.
-pub fn report_without_value(
-    defaults: &Defaults,
-    work: &mut Workspace,
-    errors: &mut Errors,
-) -> bool {
+fn report_without_value(defaults: &Defaults, work: &mut Workspace, errors: &mut Errors) -> bool {
     let graph = &mut work.graph;
     for doubtful in &work.doubtful {
         let all: Vec<Id> = doubtful

@@ -16,8 +16,7 @@ pub use body::{
     least_moment, matrix, thinnest, words,
 };
 pub use joints::{
-    Coordinate, FIXED_AXIS, FIXED_POINT, Field, Group, Joint, MOTIONS, Motion, Orientation, PIVOT,
-    PLANAR, PLANAR_TRANSLATION, ROTATION, Rates, SPATIAL, Shape, TRANSLATION,
+    Coordinate, Field, Group, Joint, MOTIONS, Motion, Orientation, PLANAR, Rates, SPATIAL, Shape,
 };
 pub use kinematics::{
     Attitude, Axis, Own, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,

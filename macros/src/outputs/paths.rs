@@ -4,7 +4,19 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use crate::emit::code::{PRINCIPAL_AXES, Shapes, Values, local};
+use crate::lower::{FLOW, Offer};
 use crate::mechanics::{Free, Rotation};
+
+/// The request for closed forms.
+pub const OFFER_OF_FLOW: Offer = Offer {
+    obstacle: |description| {
+        let has_states = !description.states.is_empty();
+        has_states.then_some(
+            "there is no closed form of `states` of one's own: leave out `flow`, and the motion is integrated",
+        )
+    },
+    ..Offer::new(FLOW)
+};
 
 /// The start of a rotation.
 pub struct Start<'a> {

@@ -1,5 +1,5 @@
-//! What the accelerations of a body depend on, known at compile time. Generic integrators branch
-//! on it.
+//! The quantities on which the accelerations of a body depend, known at compile time. Generic
+//! integrators branch on them.
 //!
 //! An integrator for any [`RigidBody`] computes more than most bodies need.
 //! [`Structured::STRUCTURE`] tells what a body does not need. It is a constant, so a branch on it
@@ -87,7 +87,7 @@ use crate::bodies::body::RigidBody;
 /// assert!(!Ball::STRUCTURE.linear.is_constant());
 /// ```
 pub trait Structured: RigidBody {
-    /// What its accelerations depend on; the same for all its parameters.
+    /// The dependences of its accelerations; the same for all parameters.
     const STRUCTURE: Structure;
 }
 
@@ -99,9 +99,9 @@ pub trait Structured: RigidBody {
 /// under `translation`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Structure {
-    /// What the acceleration of G depends on, world axes.
+    /// The dependence of the acceleration of G, world axes.
     pub linear: Dependence,
-    /// What the angular acceleration depends on, body axes; for a rod `u''`, world axes.
+    /// The dependence of the angular acceleration, body axes; for a rod that of `u''`, world axes.
     pub angular: Dependence,
     /// The acceleration of G is zero. Then the path of G is `x + v t`.
     pub is_force_free: bool,
@@ -134,7 +134,7 @@ impl Structure {
     };
 }
 
-/// What one acceleration depends on.
+/// The quantities on which one acceleration depends.
 ///
 /// A quantity that neither acceleration reads is not needed while the rest is integrated: it
 /// follows by quadrature. An acceleration that reads nothing has a closed form.

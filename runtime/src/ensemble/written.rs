@@ -12,7 +12,7 @@ use crate::bodies::columns::{Columns, Generic, Sink, Source};
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Ensemble")]
 struct Written<S> {
-    /// Of each member; one list, if all are the same.
+    /// The parameters of each member; one list if all are the same.
     params: Vec<Vec<f64>>,
     states: Vec<S>,
     inputs: Vec<Vec<f64>>,

@@ -1,4 +1,4 @@
-//! Points of bodies that fly, beside the center of mass.
+//! Points of flying bodies other than the center of mass.
 
 use nalgebra::{SVector, Vector2, Vector3};
 
@@ -29,7 +29,7 @@ use crate::state::{Hinge, Planar, Rotation, Spatial};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlyingPoint<R, const D: usize> {
-    /// Of the center of mass, world axes.
+    /// The path of the center of mass, world axes.
     center: Parabola<D>,
     /// c, body axes.
     offset: SVector<f64, D>,

@@ -129,7 +129,7 @@ fn decimals(step: f64) -> usize {
 /// The ticks of an axis.
 pub(super) struct Ticks {
     pub(super) all: Vec<(f64, String)>,
-    /// Of the power of ten in which the texts are.
+    /// The exponent of the power of ten by which the texts are divided.
     exponent: f64,
 }
 

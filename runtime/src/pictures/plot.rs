@@ -48,7 +48,7 @@ const LINE: f64 = 14.0;
 pub struct Plot<'s, S> {
     samples: &'s [Sample<S>],
     title: String,
-    /// What the curves are drawn against.
+    /// The curve of the abscissas.
     across: Curve,
     curves: Vec<Curve>,
     has_equal_scales: bool,
@@ -125,7 +125,7 @@ impl<'s, S> Plot<'s, S> {
         times.eq(self.across.numbers.iter().map(|time| time.to_bits()))
     }
 
-    /// What is drawn.
+    /// The drawing.
     pub(super) fn drawn(&self) -> Drawn {
         let mut units: Vec<&str> = Vec::new();
         for curve in &self.curves {
@@ -328,7 +328,7 @@ struct Panel<'p> {
     right: f64,
 }
 
-/// What a plot draws, without its frame.
+/// The drawing of a plot, without its frame.
 pub(super) struct Drawn {
     pub(super) markup: String,
     pub(super) height: f64,

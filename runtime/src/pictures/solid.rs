@@ -6,7 +6,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 use super::pose::Pose;
 
-/// The number of sides of what is round.
+/// The number of sides of a round solid.
 const SIDES: u32 = 12;
 
 /// A solid to be shown, in the axes of its body \[m\].
@@ -124,7 +124,7 @@ impl Solid {
         self
     }
 
-    /// What a profile of radii and heights, upwards, encloses when it turns about z.
+    /// The solid of revolution about z of a profile of radii and heights, upwards.
     fn turned_profile(profile: &[[f64; 2]]) -> Self {
         let at = |[radius, height]: [f64; 2], k: u32| {
             let (sine, cosine) =

@@ -40,7 +40,7 @@ pub(super) struct Stage<'p> {
     pub(super) view: View,
 }
 
-/// How a stage is placed on the page.
+/// The place of a stage on the page.
 struct Placed {
     /// Pixels per meter.
     scale: f64,
@@ -134,7 +134,7 @@ impl Stage<'_> {
             let mut hide = |percent: f64| {
                 let _ = write!(frames, "{}%{{visibility:hidden}}", short(percent, 4));
             };
-            // what is only partly visible counts as visible: it is hidden right beside its gaps
+            // a partly visible solid counts as visible: it is hidden right next to its gaps
             match before.replace((percent, is_there)) {
                 Some((before, true)) if !is_there => hide(before + BESIDE),
                 Some((_, false)) if is_there => hide(percent - BESIDE),
@@ -224,7 +224,7 @@ fn measure(scale: f64) -> String {
     )
 }
 
-/// Of the two quaternions of an attitude, the one next to another: to turn the short way.
+/// The one of the two quaternions of an attitude that is next to another, for the short rotation.
 fn next_to(
     other: Option<&UnitQuaternion<f64>>,
     attitude: &UnitQuaternion<f64>,

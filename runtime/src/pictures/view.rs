@@ -1,4 +1,4 @@
-//! How a scene is looked at: from afar, without perspective.
+//! The view of a scene: from afar, without perspective.
 
 use nalgebra::{Matrix3, Vector3};
 

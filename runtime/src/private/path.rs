@@ -67,14 +67,15 @@ pub fn lagrange_top(
     )
 }
 
-/// Of the unit vector of the axis, the rate of the turn about it with its own rate, and the
+/// From the unit vector of the axis, the rate of the rotation about it with its own rate, and the
 /// acceleration along it.
 #[must_use]
 pub fn gyrostat(axis: [f64; 3], spin: [f64; 2], acceleration: f64, state: &Rotation) -> Gyrostat {
     Gyrostat::new(Unit::new_unchecked(axis.into()), spin, acceleration, state)
 }
 
-/// Of the moments across an axis and about it, its unit vector, and the moment along it.
+/// From the moments of inertia across an axis and about it, its unit vector, and the moment along
+/// it.
 #[must_use]
 pub fn axial_torque(
     moments: [f64; 2],

@@ -178,7 +178,7 @@ fn averaged<T: Scalar>(vector: &Vector3<T>, turn: &Vector3<T>) -> Vector3<T> {
     vector + turned * first + cross(turn, &turned) * second
 }
 
-/// Of each sum, the first term left out is below 2⁻⁵³ of it.
+/// The first omitted term of each sum is below 2⁻⁵³ of it.
 #[cfg_attr(not(unoptimized), inline(always))]
 fn series<T: Scalar>(x: T) -> [T; 2] {
     let over = |divisor: u32| {

@@ -16,15 +16,14 @@ pub fn twice_kinetic(model: &Model, work: &mut Workspace) -> Id {
         None => work.graph.zero(),
     };
     let inertia = inertia_about_center(model, work);
-    let w = model.state.angular_velocity;
-    let rotation = match (&inertia, model.hinge(&mut work.graph)) {
-        (Inertia::Absent, _) => work.graph.zero(),
-        (Inertia::Scalar(moment), _) => {
-            let graph = &mut work.graph;
+    let graph = &mut work.graph;
+    let rotation = match inertia {
+        Inertia::Absent => graph.zero(),
+        Inertia::Scalar(moment) => {
             let square = graph.norm_squared(model.state.turn_rate());
-            graph.multiply(*moment, square)
+            graph.multiply(moment, square)
         }
-        (Inertia::Spatial(rows), _) => quadratic(&mut work.graph, rows, w),
+        Inertia::Spatial(rows) => quadratic(graph, &rows, model.state.angular_velocity),
     };
-    work.graph.add(translation, rotation)
+    graph.add(translation, rotation)
 }

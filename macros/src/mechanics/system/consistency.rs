@@ -2,7 +2,7 @@
 //! in the metric of the kinetic energy of each coordinate alone.
 
 use crate::mechanics::tree::link::Link;
-use crate::mechanics::unknowns::{Consistency, Reach, summed_size};
+use crate::mechanics::unknowns::{Consistency, Reach, reached, summed_size};
 use crate::model::{System, Workspace};
 use crate::symbolic::{Function, Graph, Id};
 
@@ -37,9 +37,14 @@ pub fn derive_system_consistency(
         let largest = alike.fold(own, |largest, other| {
             graph.apply(Function::Max, &[largest, couplings[other][other]])
         });
+        // the terms of one angle or one rate that is kept at zero do not bound its rounding
+        let mut within = |value: Id, coupling: Id, of_state: Id| {
+            let size = summed_size(graph, value);
+            reached(graph, size, coupling, of_state)
+        };
         let mut reach = |coupling: Id| Reach {
-            position: row.value.map(|value| reached(graph, value, coupling, turn)),
-            velocity: reached(graph, row.rate, coupling, motion),
+            position: row.value.map(|value| within(value, coupling, turn)),
+            velocity: within(row.rate, coupling, motion),
         };
         let sizes = reach(own);
         let consistency = Consistency {
@@ -76,15 +81,6 @@ fn corrections(graph: &mut Graph, closed: &Closed) -> (Vec<Vec<Id>>, Vec<Vec<Id>
         couplings.push(others.collect());
     }
     (directions, couplings)
-}
-
-/// The rounding that a value may have in a state of this size. The terms of a value do not bound it
-/// if they consist of one angle or one rate that is kept at zero.
-fn reached(graph: &mut Graph, value: Id, coupling: Id, of_state: Id) -> Id {
-    let size = summed_size(graph, value);
-    let square = graph.multiply(coupling, of_state);
-    let across = graph.apply(Function::Sqrt, &[square]);
-    graph.apply(Function::Max, &[size, across])
 }
 
 /// As twice the kinetic energy, with one in place of the rate of each rotation, and zero for each

@@ -2,10 +2,7 @@
 //! single body.
 
 use crate::mechanics::balances::solve_balances;
-use crate::model::{
-    FIXED_AXIS, FIXED_POINT, Holds, Model, Motion, PIVOT, PLANAR, PLANAR_TRANSLATION, Part, Point,
-    ROTATION, SPATIAL, State, Support, System, TRANSLATION, Vector, Workspace,
-};
+use crate::model::{Model, Part, Point, State, Support, System, Vector, Workspace};
 use crate::symbolic::Id;
 
 /// The accelerations along the coordinates of a joint, if its body is alone.
@@ -25,7 +22,7 @@ fn as_single(system: &System, work: &Workspace, number: usize) -> Option<Model> 
     if joint.carrier.is_some() || carries || joint.is_driven() || joint.armature.is_some() {
         return None;
     }
-    let motion = motion(system, number)?;
+    let motion = joint.kind.motion(system.is_planar)?;
     let support = motion.is_supported().then(|| Support {
         offset: joint.pin,
         anchor: joint.place,
@@ -45,23 +42,6 @@ fn as_single(system: &System, work: &Workspace, number: usize) -> Option<Model> 
         is_differentiated: system.is_differentiated,
         ..Model::of(motion, state, (Some(body.mass), body.inertia), loads, pole)
     })
-}
-
-/// The motion that a joint to the ground leaves, if a single body can have it.
-fn motion(system: &System, number: usize) -> Option<Motion> {
-    let kind = system.joints[number].kind;
-    let motion: Motion = match (kind.holds, kind.parts, system.is_planar) {
-        (_, [Part::Free], true) => &PLANAR,
-        (_, [Part::Free], false) => &SPATIAL,
-        (Holds::Center, [Part::Ball], _) => &ROTATION,
-        (Holds::Center, _, true) => &PLANAR_TRANSLATION,
-        (Holds::Center, _, false) => &TRANSLATION,
-        (_, [Part::Ball], _) => &FIXED_POINT,
-        (_, [Part::Turn(_)], true) => &PIVOT,
-        (_, [Part::Turn(_)], false) => &FIXED_AXIS,
-        _ => return None,
-    };
-    Some(motion)
 }
 
 /// The moment of the drives of its joint, body axes; none if they are forces.

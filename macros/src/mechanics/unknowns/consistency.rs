@@ -116,17 +116,21 @@ pub fn derive_reach(
     let (spread, motion) = (spread(model, work), twice_kinetic(model, work));
     let graph = &mut work.graph;
     let list = constraints.iter().enumerate().map(|(row, constraint)| {
-        let mut reach = |size: Id, of_state: Id| {
-            let square = graph.multiply(constraint.coupling[row], of_state);
-            let whole = graph.apply(Function::Sqrt, &[square]);
-            graph.apply(Function::Max, &[size, whole])
-        };
+        let coupling = constraint.coupling[row];
+        let mut reach = |size: Id, of_state: Id| reached(graph, size, coupling, of_state);
         Reach {
             position: constraint.position.map(|(_, size)| reach(size, spread)),
             velocity: reach(constraint.velocity.1, motion),
         }
     });
     list.collect()
+}
+
+/// The rounding of a constraint, whose terms have this size, in a state of this size.
+pub fn reached(graph: &mut Graph, size: Id, coupling: Id, of_state: Id) -> Id {
+    let square = graph.multiply(coupling, of_state);
+    let across = graph.apply(Function::Sqrt, &[square]);
+    graph.apply(Function::Max, &[size, across])
 }
 
 /// `m r^2 + tr J`: an attitude is known to the rounding of one radian.

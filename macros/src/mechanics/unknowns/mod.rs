@@ -14,7 +14,7 @@ mod rows;
 mod solvability;
 mod unit;
 
-pub use consistency::{Consistency, Reach, derive_consistency, derive_reach, summed_size};
+pub use consistency::{Consistency, Reach, derive_consistency, derive_reach, reached, summed_size};
 pub use constrained::active;
 pub use constraints::derive_constrained;
 pub use inverse::derive_inverse;

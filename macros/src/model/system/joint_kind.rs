@@ -1,7 +1,9 @@
 //! The kinds of joints of a system, one row each.
 
 use crate::model::joints::{
-    BALL, CYLINDER, FREE, HINGE, PLANE, SHIFT, SHIFT_IN_THE_PLANE, SLIDE, Shape, UNIVERSAL,
+    BALL, CYLINDER, FIXED_AXIS, FIXED_POINT, FREE, HINGE, Motion, PIVOT, PLANAR,
+    PLANAR_TRANSLATION, PLANE, ROTATION, SHIFT, SHIFT_IN_THE_PLANE, SLIDE, SPATIAL, Shape,
+    TRANSLATION, UNIVERSAL,
 };
 use crate::model::words::Variable;
 
@@ -215,6 +217,27 @@ impl JointKind {
     pub fn turns(&self) -> bool {
         let mut parts = self.parts.iter();
         parts.any(|part| !matches!(part, Part::Slide(_)))
+    }
+
+    /// A rotation about one axis, and nothing else.
+    pub fn is_hinge(&self) -> bool {
+        matches!(self.parts, [Part::Turn(_)])
+    }
+
+    /// The motion of a single body on the ground, if this leaves one of these.
+    pub fn motion(&self, is_planar: bool) -> Option<Motion> {
+        let motion: Motion = match (self.holds, self.parts, is_planar) {
+            (_, [Part::Free], true) => &PLANAR,
+            (_, [Part::Free], false) => &SPATIAL,
+            (Holds::Center, [Part::Ball], _) => &ROTATION,
+            (Holds::Center, _, true) => &PLANAR_TRANSLATION,
+            (Holds::Center, _, false) => &TRANSLATION,
+            (_, [Part::Ball], _) => &FIXED_POINT,
+            (_, [Part::Turn(_)], true) => &PIVOT,
+            (_, [Part::Turn(_)], false) => &FIXED_AXIS,
+            _ => return None,
+        };
+        Some(motion)
     }
 
     pub fn is_screw(&self) -> bool {

@@ -6,34 +6,24 @@ use quote::quote;
 
 use crate::emit::code::{Method, Shapes, Site, Values, Writer, local};
 use crate::emit::items::{Addition, Best};
-use crate::lower::{FLOW, Offer};
+use crate::lower::Offer;
 use crate::mechanics::{self, Free, Report, Rotation, derive_flow};
 use crate::model::{Model, Orientation, Outline, Workspace};
 use crate::symbolic::Id;
 
 use crate::outputs::output::{Basis, Output};
-use crate::outputs::paths::{Start, rotation_type};
-
-const OFFER: Offer = Offer {
-    obstacle: |description| {
-        let has_states = !description.states.is_empty();
-        has_states.then_some(
-            "there is no closed form of `states` of one's own: leave out `flow`, and the motion is integrated",
-        )
-    },
-    ..Offer::new(FLOW)
-};
+use crate::outputs::paths::{OFFER_OF_FLOW, Start, rotation_type};
 
 #[derive(Default)]
 pub struct Flow(Option<mechanics::Flow>);
 
 impl Output<Model> for Flow {
     fn offer(&self) -> Option<&'static Offer> {
-        Some(&OFFER)
+        Some(&OFFER_OF_FLOW)
     }
 
     fn derive(&mut self, basis: &mut Basis<'_, Model>) -> Option<()> {
-        let (place, model) = (basis.outline.place(OFFER.word)?, basis.model);
+        let (place, model) = (basis.outline.place(OFFER_OF_FLOW.word)?, basis.model);
         self.0 = Some(derive_flow(
             model,
             basis.work,

@@ -6,22 +6,16 @@ use quote::{format_ident, quote};
 
 use crate::emit::code::{Method, Shapes, Site, Values, Writer, local};
 use crate::emit::items::{Addition, Best};
-use crate::lower::{FLOW, Offer};
+use crate::lower::Offer;
 use crate::mechanics::{Counter, Course, Free, Report, Rotation, SystemFlow, derive_system_flow};
 use crate::model::{Shape, System, Variable, Workspace};
 use crate::outputs::output::{Basis, Output};
-use crate::outputs::paths::{Start, rotation_type};
+use crate::outputs::paths::{OFFER_OF_FLOW, Start, rotation_type};
 use crate::symbolic::Id;
 
 const OFFER: Offer = Offer {
     is_of_motion: true,
-    obstacle: |description| {
-        let has_states = !description.states.is_empty();
-        has_states.then_some(
-            "there is no closed form of `states` of one's own: leave out `flow`, and the motion is integrated",
-        )
-    },
-    ..Offer::new(FLOW)
+    ..OFFER_OF_FLOW
 };
 
 #[derive(Default)]

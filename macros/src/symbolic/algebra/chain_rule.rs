@@ -6,19 +6,19 @@ use crate::symbolic::number::Function;
 use super::operations::Algebra;
 use super::slopes::{slope, slopes, takes_first};
 
-/// The change of a node with its operands, one step of the chain rule; `None` is no change.
-/// Steps (`floor`, `ceil`, `signum`) do not change, and a choice changes like its branches.
+/// The change of a node with its operands, one step of the chain rule, from their values and their
+/// changes `d`; `None` is no change. Steps (`floor`, `ceil`, `signum`) do not change, and a choice
+/// changes like its branches.
 pub fn change<A: Algebra>(
     of: &mut A,
     node: &Node,
     itself: &A::Value,
     known: impl Fn(Id) -> A::Value,
-    change: impl Fn(Id) -> Option<A::Value>,
+    d: impl Fn(Id) -> Option<A::Value>,
 ) -> Option<A::Value> {
-    if node.operands().all(|operand| change(operand).is_none()) {
+    if node.operands().all(|operand| d(operand).is_none()) {
         return None;
     }
-    let d = |operand: Id| change(operand);
     match *node {
         Node::Quantity(a) | Node::Positive(a) => d(a),
         Node::Negate(a) => negated(of, d(a)),
@@ -46,7 +46,7 @@ pub fn change<A: Algebra>(
         }
         Node::Foreign(function, arguments) => {
             let values = arguments.map(&known);
-            let changes = arguments.into_iter().map(d).enumerate();
+            let changes = arguments.into_iter().map(&d).enumerate();
             changes.fold(None, |total, (place, change)| {
                 let part = change.map(|change| {
                     let slope = of.foreign(function.by(place), &values);

@@ -190,6 +190,12 @@ impl Reader<'_> {
         found.into_iter().next().unwrap_or(Decimal::zero(extent))
     }
 
+    /// One number as text, unless it is zero.
+    pub fn nonzero(&mut self, element: &Element<'_, '_>, name: &str) -> Option<String> {
+        let value = self.single(element, name, "0");
+        (!value.is_zero()).then(|| value.literal())
+    }
+
     /// The elements in `node` that are `known`; elements that are neither known nor among `skipped`
     /// would change the motion.
     pub fn parts<'n, 'd>(

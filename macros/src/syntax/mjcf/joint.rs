@@ -117,10 +117,7 @@ impl Reader<'_> {
             }
         };
         let (reference, rest) = (coordinate("ref"), coordinate("springref"));
-        let mut given = |name: &str| {
-            let value = self.single(&element, name, "0");
-            (!value.is_zero()).then(|| value.literal())
-        };
+        let mut given = |name: &str| self.nonzero(&element, name);
         let (damping, stiffness) = (given("damping"), given("stiffness"));
         let armature = given("armature");
         Some(Joint {

@@ -83,10 +83,7 @@ impl Reader<'_> {
             ],
         );
         let length = self.length(node, bodies)?;
-        let mut given = |name: &str| {
-            let value = self.single(&element, name, "0");
-            (!value.is_zero()).then(|| value.literal())
-        };
+        let mut given = |name: &str| self.nonzero(&element, name);
         let (damping, stiffness) = (given("damping"), given("stiffness"));
         let rest = self.list(&element, "springlength", 1..=2, "-1");
         if let [first, second] = rest.as_slice()

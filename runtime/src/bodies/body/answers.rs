@@ -184,7 +184,7 @@ pub trait Inverse: RigidBody {
 /// are linear in mass, first moment and inertia.
 ///
 /// ```text
-/// Y (m, m c, J) = what the loads give, but that of uniform fields
+/// Y (m, m c, J) = the given loads, except those of uniform fields
 /// ```
 ///
 /// A motion requires these loads on a body, in its axes, about one of its points P,

@@ -9,7 +9,7 @@ use crate::numbers::scalar::Scalar;
 /// Writes a value with the names of its parts and their units.
 ///
 /// # Errors
-/// Those of the formatter.
+/// The errors of the formatter.
 pub fn show<T: Scalar>(
     value: &(impl Columns<T> + Named),
     f: &mut fmt::Formatter<'_>,

@@ -1,4 +1,4 @@
-//! The current point of a search for a steady motion: its equations, and how far they are off.
+//! The current point of a search for a steady motion: its equations, and their residuals.
 
 use super::conditions::Conditions;
 use super::coordinated::Coordinated;
@@ -57,7 +57,7 @@ impl<B: Coordinated<N, M>, const N: usize, const M: usize> Here<B, N, M> {
         relative.map(|relative| relative * relative).sum()
     }
 
-    /// The least change of what is free that solves the equations to first order.
+    /// The least change of the free quantities that solves the equations to first order.
     pub fn least(&self, free: &Change<N, M>) -> Least<N, M> {
         let rows = self.about.rows.list().iter().zip(self.sizes.as_flattened());
         let scaled = rows.map(|(row, size)| {

@@ -60,9 +60,9 @@ pub trait Linearized<const STATES: usize, const INPUTS: usize> {
     const STATES: [&'static str; STATES];
     /// The names of the components of the input.
     const INPUTS: [&'static str; INPUTS];
-    /// Which entries of A may be nonzero.
+    /// The entries of A that may be nonzero.
     const A_PATTERN: [[bool; STATES]; STATES];
-    /// Which entries of B may be nonzero.
+    /// The entries of B that may be nonzero.
     const B_PATTERN: [[bool; INPUTS]; STATES];
 
     /// A: the rates of the coordinates by the coordinates.

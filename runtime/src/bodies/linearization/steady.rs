@@ -244,7 +244,7 @@ impl<B, C, const N: usize> Steady<'_, B, C, N> {
         first + kept
     }
 
-    /// Of constraints, the derivatives by rates, and of those of positions by coordinates.
+    /// The derivatives of constraints by rates, and those of position constraints by coordinates.
     fn measured_by_rates<const M: usize>(
         &self,
         state: &B::State,

@@ -127,7 +127,7 @@ struct Stream<'e, A, B: Generic> {
     states: &'e mut [Eight],
     /// The number of members in the blocks.
     count: usize,
-    /// Which of them are left.
+    /// Whether each of them is left for separate integration.
     left: &'e [AtomicBool],
 }
 

@@ -18,16 +18,16 @@ use crate::numbers::lanes::{Lanes, Register, Work};
 use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
-/// How far each member of a register has come: as a course leads a run of equal steps, so that each
-/// moves as it would alone, to the bit.
+/// The progress of each member of a register. Steps end as where a course leads a run of equal
+/// steps, so each member moves as it would alone, to the bit.
 pub(super) struct Ways<'e, M> {
     fixed: Fixed<M>,
     limits: &'e Limits,
     times: Range<f64>,
-    /// Those of as many members as there are in the register.
+    /// One for each member; the register has `count` of them.
     each: [Way; BLOCK],
     count: usize,
-    /// Whether a part of the inputs does.
+    /// Whether a part of the inputs moves.
     moves: bool,
 }
 

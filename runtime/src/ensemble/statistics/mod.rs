@@ -62,7 +62,7 @@ impl<C> PartialEq for Statistics<C> {
 }
 
 impl<C: Columns<f64>> Statistics<C> {
-    /// Of no values.
+    /// The statistics of no values.
     #[must_use]
     pub fn new() -> Self {
         Self {

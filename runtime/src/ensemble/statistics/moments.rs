@@ -32,7 +32,7 @@ pub struct Moments {
 }
 
 impl Moments {
-    /// Of no numbers.
+    /// The moments of no numbers.
     #[must_use]
     pub fn new() -> Self {
         Self {

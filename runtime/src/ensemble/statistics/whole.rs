@@ -92,13 +92,14 @@ impl Whole {
     }
 }
 
-/// The digit, and what is carried.
+/// The digit, and the carry.
 #[expect(clippy::cast_possible_truncation, reason = "the rest is carried")]
 fn split(number: u64) -> (u32, u64) {
     (number as u32, number >> 32)
 }
 
-/// An integer of at most 53 bits times a power of two; the result is a double, or too large for one.
+/// An integer of at most 53 bits times a power of two; the result is a double, or too large for
+/// one.
 #[expect(clippy::cast_precision_loss, reason = "it has at most 53 bits")]
 fn scaled(integer: u64, power: i32) -> f64 {
     libm::scalbn(integer as f64, power)

@@ -237,9 +237,9 @@ impl Spinning {
     }
 }
 
-/// What of a vector is along an axis, and across it.
+/// The parts of a vector along an axis, and across it.
 fn parts(axis: &Vector3<f64>, w: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
     let off = |vector: Vector3<f64>| vector - axis * axis.dot(&vector);
-    // twice: what is left of the first may not be across the axis
+    // twice: the remainder of the first may not be across the axis
     (axis * axis.dot(w), off(off(*w)))
 }

@@ -14,7 +14,7 @@ const PI_REST: f64 = 1.224_646_799_147_353_2e-16;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::exact) struct Phase {
     pub jacobi: Jacobi,
-    /// Of u₀, or of u₀ minus half a period: within a quarter period of zero.
+    /// The functions of u₀, or of u₀ minus half a period: within a quarter period of zero.
     pub start: Elliptic,
     /// Whether half a period was subtracted.
     is_opposite: bool,

@@ -20,7 +20,7 @@ use super::jacobi::{Elliptic, Jacobi};
 use super::phase::{Phase, Reading};
 use crate::numbers::math;
 
-/// R of one parameter, of which `g²` is not negative.
+/// R of one parameter, whose `g²` is not negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::exact) struct ThirdKind {
     /// m
@@ -34,7 +34,7 @@ pub(in crate::exact) struct ThirdKind {
 }
 
 impl ThirdKind {
-    /// From m, 1 + m and g, each of which may be known more accurately than from the others.
+    /// From m, 1 + m and g, as each may be known more accurately than it follows from the others.
     pub fn new(jacobi: &Jacobi, [parameter, above, scale]: [f64; 3]) -> Self {
         let last = jacobi.complement();
         Self {

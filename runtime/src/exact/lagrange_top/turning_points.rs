@@ -8,11 +8,11 @@
 //! -1 <= u₁ <= u <= u₂ <= 1 <= u₃
 //! ```
 //!
-//! Of the three roots one lies apart: it is found first, in twice the precision. The two others are
-//! then the roots of a quadratic, of opposite signs as they lie on either side of u(0), or of 1:
-//! neither cancels. So the distances of the roots from the poles, the start and each other all keep
-//! their digits, at the edge of steady precession as near the separatrix; small ones next to a pole
-//! by
+//! One of the three roots lies apart. It is found first, in twice the precision. The two others are
+//! then the roots of a quadratic, of opposite signs because they lie on either side of u(0), or of
+//! 1: neither cancels. So the distances of the roots from the poles, the start and each other all
+//! keep their digits, at the edge of steady precession as near the separatrix; small ones next to a
+//! pole by
 //!
 //! ```text
 //! (b + p)² = 2a (1 + u₁)(1 + u₂)(1 + u₃)      (b - p)² = 2a (1 - u₁)(1 - u₂)(u₃ - 1)
@@ -23,7 +23,7 @@ use core::f64::consts::FRAC_PI_3;
 use crate::numbers::math;
 use crate::numbers::twofold::Twofold;
 
-/// What the motion depends on, at time zero.
+/// The quantities that determine the motion, at time zero.
 #[derive(Clone, Copy)]
 pub(super) struct Start {
     /// a
@@ -56,7 +56,7 @@ pub(super) struct TurningPoints {
 }
 
 impl TurningPoints {
-    /// Of an axis that moves, or can.
+    /// The turning points of an axis that moves, or can move.
     pub fn new(start: &Start) -> Self {
         let cubic = start.cubic();
         let (root, is_highest) = isolated(&cubic);
@@ -154,9 +154,9 @@ fn opposite_roots(half: Twofold, product: Twofold) -> [Twofold; 2] {
     }
 }
 
-/// Of the three real roots of a cubic, not zero all three, on either side of zero: the one that
-/// lies apart from the two others, and whether it is the highest. By the cosine of a third of an
-/// angle, then Newton's method.
+/// The one of the three real roots of a cubic that lies apart from the two others, and whether it
+/// is the highest. The roots are not all zero, and lie on both sides of zero. By the cosine of a
+/// third of an angle, then Newton's method.
 fn isolated(cubic: &[Twofold; 3]) -> (Twofold, bool) {
     let [c0, c1, c2] = cubic.map(Twofold::value);
     let center = -c2 / 3.0;

@@ -16,7 +16,7 @@ use crate::integrate::steps::stretch::Within;
 use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
-/// How much of the step that the last error permits is taken, and how much a step may change.
+/// The fraction of the step that the last error permits, and the bounds of its change.
 const SAFETY: f64 = 0.9;
 pub(super) const SHRINK: f64 = 1.0 / 3.0;
 const GROW: f64 = 6.0;

@@ -1,5 +1,5 @@
-//! What all steps are made of: equations and where they change, points, sizes, errors, zeros within
-//! a step.
+//! The parts of all steps: equations and the times at which they change, points, sizes, errors,
+//! zeros within a step.
 
 pub mod agreement;
 pub mod chatter;

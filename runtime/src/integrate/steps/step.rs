@@ -5,7 +5,7 @@ use super::event::{Event, Search};
 use crate::state::Coordinates;
 use crate::taylor::{Axes, after};
 
-/// How often the sign of a function is looked at within a step.
+/// The number of places within a step at which the sign of a function is evaluated.
 pub(in crate::integrate) const PLACES: usize = 16;
 
 /// A step of a motion, and the motion within it.

@@ -44,8 +44,8 @@ pub enum Extent {
 }
 
 impl InertiaTensor {
-    /// How many principal moments are equal, to [`Self::SLACK`] (four times that if there are
-    /// products) of the largest.
+    /// The number of principal moments that are equal, to [`Self::SLACK`] (four times that if there
+    /// are products) of the largest.
     ///
     /// A disc is both [`Symmetry::Symmetric`] and [`Extent::Planar`], so the two are separate
     /// methods.
@@ -64,7 +64,7 @@ impl InertiaTensor {
         self.symmetry_within(invalid::slack(&self.matrix))
     }
 
-    /// How many principal moments are equal, to this fraction of the largest.
+    /// The number of principal moments that are equal, to this fraction of the largest.
     ///
     /// ```
     /// use newton_euler::inertia::{InertiaTensor, Symmetry};

@@ -1,8 +1,8 @@
 //! Several doubles in one register, of the width of the processor.
 //!
-//! Operations are those of `f64` in each lane, without fused ones. Sines and cosines are computed in
-//! all lanes at once, other elementary functions lane by lane: each number is what it would be
-//! alone, to the bit.
+//! Operations are those of `f64` in each lane, without fused ones. Sines and cosines are computed
+//! in all lanes at once, other elementary functions lane by lane: each number is the same as alone,
+//! to the bit.
 
 mod arithmetic;
 mod register;

@@ -159,7 +159,7 @@ impl<D: Number> Scalar for NumDual<D> {
         Self(DualNum::atan2(&self.0, other.0))
     }
 
-    /// Of a base that is not positive, the derivative by the exponent is omitted.
+    /// The derivative by the exponent is omitted if the base is not positive.
     fn powf(self, exponent: Self) -> Self {
         if self.0.re() > 0.0 {
             Self(self.0.powd(exponent.0))

@@ -2,7 +2,7 @@
 
 use crate::mechanics::tree;
 use crate::mechanics::tree::link::{Link, Tree};
-use crate::model::{Part, Workspace};
+use crate::model::Workspace;
 use crate::symbolic::{Graph, Id};
 
 use super::super::constraints::Ends;
@@ -54,7 +54,7 @@ fn rows(
 ) -> Vec<(Option<usize>, LinearRow)> {
     let mut rows = Vec::new();
     for (number, ends) in known.ends.iter().enumerate() {
-        if let [Part::Turn(_)] = ends.closing.kind.parts {
+        if ends.closing.kind.is_hinge() {
             let both = of_hinge(graph, &known.built.tree, absolute, arms, ends);
             rows.extend(both.map(|row| (Some(number), row)));
             continue;

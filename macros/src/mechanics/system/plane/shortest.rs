@@ -2,7 +2,6 @@
 //! short chains fewer links are coupled by their inertia.
 
 use crate::mechanics::tree::link::{Link, Tree};
-use crate::model::Part;
 use crate::symbolic::{Components, Graph};
 
 use super::super::constraints::Ends;
@@ -21,9 +20,7 @@ type Pin = [(Option<usize>, Components); 2];
 /// The tree in which each link is carried by the hinge that brings it nearest to the ground.
 pub fn shortest(graph: &mut Graph, tree: &Tree, ends: &[&Ends<'_>]) -> Shortest {
     let mut tree = tree.clone();
-    let hinges = ends
-        .iter()
-        .filter(|ends| matches!(ends.closing.kind.parts, [Part::Turn(_)]));
+    let hinges = ends.iter().filter(|ends| ends.closing.kind.is_hinge());
     let mut pins: Vec<Pin> = hinges
         .map(|ends| [0, 1].map(|end| (ends.links[end], ends.offsets[end])))
         .collect();

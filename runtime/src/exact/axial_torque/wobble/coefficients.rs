@@ -1,7 +1,7 @@
 //! The polynomials of the expansion, computed by the compiler.
 #![expect(clippy::cast_precision_loss, reason = "small whole numbers")]
 
-/// Powers of ε, up to this: for ε below 1/81 what is left out is below 1e-16.
+/// The highest power of ε: for ε below 1/81 the omitted terms are below 1e-16.
 pub(super) const ORDER: usize = 20;
 
 /// `B_n`, by powers of c, for n = 1, 2, ...

@@ -2,7 +2,7 @@
 //! it.
 //!
 //! With T the turn from the third axis to `(w, 0, u) = λ (s, 0, c)`, and `ε = b/λ²`, the rotation P
-//! is, up to what is exponentially small in `1/ε`,
+//! is, up to exponentially small terms in `1/ε`,
 //!
 //! ```text
 //! P = const exp(k Ψ/2) (1 + z i)/|1 + z i| T*      Ψ' = λ (1 - s ε Re z)
@@ -58,7 +58,7 @@ pub(super) fn lag(cosine: f64, ratio: f64) -> f64 {
     sum
 }
 
-/// How many orders count: `B_n` is `(2n - 1)!!/2` at most.
+/// The number of orders that matter: `B_n` is `(2n - 1)!!/2` at most.
 fn orders(ratio: f64) -> usize {
     let (mut bound, mut odd, mut n) = (0.5, 1.0, 0);
     while n < ORDER && bound > 1e-18 {

@@ -9,7 +9,7 @@ use crate::taylor::{Series, Taylor};
 pub(super) struct Expansions<B: Taylor, const N: usize> {
     pub(super) expander: Expander<B, N>,
     both: [Series<B::State, N>; 2],
-    /// Which of the two is the series of the step.
+    /// Whether the second of the two is the series of the step.
     is_second: bool,
     /// Whether the other one starts at its end.
     is_ahead: bool,

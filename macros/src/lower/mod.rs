@@ -10,4 +10,4 @@ mod system;
 pub use definitions::{FLOW, INVERSE, LINEARIZATION, Offer, outline};
 pub use description::lower_description;
 pub use expressions::{is_drive, is_unknown};
-pub use system::{lower_system, outline_system};
+pub use system::{lower_system, outline_system, targets};

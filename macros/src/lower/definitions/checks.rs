@@ -14,8 +14,8 @@ enum Target {
     Scalar(Id, Dimension),
     /// Symbols along axes, none for other axes.
     Vector(Frame, Components, Dimension),
-    /// The quaternion, its scalar first.
-    Attitude([Id; 4]),
+    /// The quaternion of a frame, its scalar first.
+    Attitude(Frame, [Id; 4]),
 }
 
 const TURNED: &str =
@@ -140,8 +140,8 @@ impl Lowering<'_> {
                         .collect(),
                 )
             }
-            Target::Attitude(symbols) => {
-                let quaternion = self.quaternion(value)?;
+            Target::Attitude(frame, symbols) => {
+                let quaternion = self.quaternion(value, frame)?;
                 let pairs = symbols.into_iter().zip(quaternion);
                 Some(
                     pairs
@@ -152,8 +152,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// `turned(axis, angle)`, as a quaternion.
-    fn quaternion(&mut self, written: &Expression) -> Option<[Id; 4]> {
+    /// `turned(axis, angle)`, as the quaternion of a frame.
+    fn quaternion(&mut self, written: &Expression, frame: Frame) -> Option<[Id; 4]> {
         let (axis, angle) = match &written.kind {
             Kind::Call(word, arguments) if word == "turned" => match arguments.as_slice() {
                 [axis, angle] => (axis, angle),
@@ -165,8 +165,15 @@ impl Lowering<'_> {
         let angle = self.scalar(angle, Dimension::NONE, "an angle");
         let (vector, angle) = (vector?, angle?);
         // the axis is the same in both frames
-        let [(_, components)] = *self.work.parts(vector) else {
-            return self.report(axis.extent, "the axis of a turn is not zero");
+        let axes = [frame, self.work.carrier(frame)];
+        let components = match *self.work.parts(vector) {
+            [(from, components)] if axes.contains(&from) => components,
+            [] => return self.report(axis.extent, "the axis of a turn is not zero"),
+            _ => {
+                let message = "write the axis of this turn in the axes of the body that turns, or of what \
+                               carries it";
+                return self.report(axis.extent, message);
+            }
         };
         let graph = &mut self.work.graph;
         let half = graph.number(Number::ratio(1, 2));
@@ -217,7 +224,7 @@ impl Lowering<'_> {
         match target {
             Target::Scalar(id, _) => follows(id),
             Target::Vector(_, components, _) => components.iter().any(follows),
-            Target::Attitude(_) => false,
+            Target::Attitude(..) => false,
         }
     }
 
@@ -258,6 +265,6 @@ impl Lowering<'_> {
         let [Some(w), Some(x), Some(y), Some(z)] = symbols else {
             return None;
         };
-        Some(Target::Attitude([w, x, y, z]))
+        Some(Target::Attitude(frame, [w, x, y, z]))
     }
 }

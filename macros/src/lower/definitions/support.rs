@@ -119,16 +119,26 @@ impl Lowering<'_> {
         written: &Expression,
         defaults: &Defaults,
     ) -> Option<crate::symbolic::Components> {
+        let (_, direction) = self.framed_direction(written, defaults)?;
+        Some(direction)
+    }
+
+    /// The same, with the axes in which it is written.
+    pub fn framed_direction(
+        &mut self,
+        written: &Expression,
+        defaults: &Defaults,
+    ) -> Option<(Frame, crate::symbolic::Components)> {
         let vector = self.vector(written, Dimension::ANY, "a direction")?;
         self.check_no_unit(written)?;
-        let components = match *self.work.parts(vector) {
+        let (frame, components) = match *self.work.parts(vector) {
             [(Frame::WORLD, _)] if self.motion.is_line() => {
                 return self.report(
                     written.extent,
                     "the axis of a rod has a direction in the body: write `body(..)`",
                 );
             }
-            [(_, components)] => components,
+            [part] => part,
             [] => {
                 return self.report(
                     written.extent,
@@ -160,6 +170,6 @@ impl Lowering<'_> {
         let norm = graph.norm(components);
         let one = graph.one();
         let reciprocal = graph.divide(one, norm);
-        Some(graph.scale_vector(reciprocal, components))
+        Some((frame, graph.scale_vector(reciprocal, components)))
     }
 }

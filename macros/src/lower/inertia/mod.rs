@@ -9,3 +9,5 @@ mod parallel_axis;
 mod possible;
 mod solid;
 mod turned;
+
+pub use turned::rotation;

@@ -143,7 +143,7 @@ fn from_dyads(graph: &mut Graph, lambda: Id, dyads: &[(Id, Matrix)]) -> Matrix {
 }
 
 /// The matrix of a rotation by an angle about a direction: `c 1 + s [n] + (1 - c) n n`.
-fn rotation(graph: &mut Graph, direction: Components, angle: Id) -> Matrix {
+pub fn rotation(graph: &mut Graph, direction: Components, angle: Id) -> Matrix {
     let (cosine, sine) = cosine_and_sine(graph, angle);
     let square = graph.norm_squared(direction);
     let norm = graph.apply(Function::Sqrt, &[square]);

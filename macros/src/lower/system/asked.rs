@@ -69,6 +69,11 @@ impl Reader<'_> {
             {
                 seen.push(name);
                 continue;
+            } else if let Some(body) = self.body_named(name) {
+                let mut read = joints.iter().flatten();
+                let joint = read.find(|joint| joint.carried == body);
+                let such = joint.map_or(String::new(), |one| format!(", such as `{}`", one.name));
+                format!("`{name}` is a body: reactions are those of joints{such}")
             } else {
                 let known: Vec<String> = names().map(ToString::to_string).collect();
                 let hint = hint(&name.to_string(), known.iter().map(String::as_str));
@@ -76,6 +81,11 @@ impl Reader<'_> {
             };
             errors.push(name.span(), message);
         }
+    }
+
+    fn body_named(&self, name: &Ident) -> Option<usize> {
+        let mut bodies = self.members.bodies.iter();
+        bodies.position(|body| *name == body.name.as_str())
     }
 
     /// The points after `jacobian`: the body of each, and the offset there.

@@ -7,7 +7,7 @@ use crate::model::{Dimension, Frame, Load, Point, Property, Tie, Vector};
 use crate::symbolic::{Comparison, Components, Id, Number};
 use crate::syntax::{Definition, Expression, Kind, call};
 
-use super::drives::{behind, behind_operand, report_operand};
+use super::behind::{behind, behind_operand, report_operand};
 use super::joints::joint::End;
 use super::reading::reader::Reader;
 use super::ties::{LENGTH_OF_CABLE, STIFFNESS_OF_CABLE};
@@ -212,7 +212,9 @@ impl Reader<'_> {
         };
         let numbers = every(bodies.iter().map(|body| self.body_number(body, errors)));
         let is_planar = self.system.is_planar;
-        let vector = self.at_top(errors, |lowering| read_moment(lowering, moment, is_planar));
+        let vector = self.at_top(errors, |lowering| {
+            read_moment(lowering, moment, is_planar, "a moment")
+        });
         let numbers = numbers?;
         if let ([first, second], [_, again]) = (numbers.as_slice(), bodies)
             && first == second
@@ -268,21 +270,24 @@ impl Reader<'_> {
     }
 }
 
-fn read_moment(
+/// A moment, in the plane a scalar.
+pub fn read_moment(
     lowering: &mut Lowering<'_>,
     written: &Expression,
     is_planar: bool,
+    what: &str,
 ) -> Option<Vector> {
     if !is_planar {
-        return lowering.vector(written, Dimension::MOMENT, "a moment");
+        return lowering.vector(written, Dimension::MOMENT, what);
     }
-    let size: Id = lowering.scalar(written, Dimension::MOMENT, "a moment")?;
+    let size: Id = lowering.scalar(written, Dimension::MOMENT, what)?;
     let zero = lowering.work.graph.zero();
     let components: Components = [zero, zero, size];
     Some(lowering.work.vector(Frame::WORLD, components))
 }
 
-fn given(written: &Definition, force: Vector, point: Point, moment: Vector) -> Load {
+/// A given load of this name.
+pub fn given(written: &Definition, force: Vector, point: Point, moment: Vector) -> Load {
     Load {
         name: written.name.clone(),
         family: Family::Joint,

@@ -3,43 +3,13 @@
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, hint};
-use crate::model::{Dimension, Field, JointKind, TreeJoint, Variable};
+use crate::model::{Dimension, Field, JointKind, Load, Point, TreeJoint, Variable, Vector};
 use crate::symbolic::Id;
 use crate::syntax::{Definition, Expression, Kind, call};
 
+use super::behind::{behind, behind_operand, report_operand};
+use super::between::{given, read_moment};
 use super::reading::reader::Reader;
-
-/// `value.method(arguments)`
-pub fn behind<'e>(
-    value: &'e Expression,
-    method: &str,
-) -> Option<(&'e Expression, &'e [Expression])> {
-    match &value.kind {
-        Kind::Method(receiver, word, arguments) if word == method => Some((receiver, arguments)),
-        _ => None,
-    }
-}
-
-/// The method of the last operand alone: `on` of `-x.on(joint)`, which means `-(x.on(joint))`.
-pub fn behind_operand<'e>(value: &'e Expression, methods: &[&str]) -> Option<&'e Ident> {
-    let last = match &value.kind {
-        Kind::Prefix(_, operand) => operand,
-        Kind::Chain(_, steps) => &steps.last()?.operand,
-        _ => return None,
-    };
-    match &last.kind {
-        Kind::Method(_, word, _) => methods.iter().any(|method| word == method).then_some(word),
-        _ => behind_operand(last, methods),
-    }
-}
-
-/// Reports it: such a method applies to the whole load.
-pub fn report_operand<T>(word: &Ident, errors: &mut Errors) -> Option<T> {
-    let message = format!(
-        "`.{word}(..)` is of the last operand alone: put the whole load in parentheses, `(..).{word}(..)`"
-    );
-    errors.report(word.span(), message)
-}
 
 /// `elbow`, or `gimbal.angle_1`: the joint, and its coordinate.
 fn joint_and_coordinate(target: &Expression) -> Option<(&Ident, Option<&Ident>)> {
@@ -69,13 +39,11 @@ fn joint_named<'e>(
 }
 
 /// The coordinates of a joint on which drives act, by their words, with the fields of its state.
-/// Given drives know no attitude, as it is no number.
-fn coordinates(kind: &JointKind, is_open: bool) -> Vec<(&'static str, &'static Field)> {
+fn coordinates(kind: &JointKind) -> Vec<(&'static str, &'static Field)> {
     let fields = kind.shape.into_iter().flat_map(|shape| shape.fields);
-    let fields = fields.filter(|field| match field.variable {
-        Variable::Position | Variable::Angle => true,
-        Variable::Quaternion => is_open,
-        _ => false,
+    let fields = fields.filter(|field| {
+        use Variable::{Angle, Position, Quaternion};
+        matches!(field.variable, Position | Angle | Quaternion)
     });
     let named = fields.map(|field| {
         let (word, _) = field.path.split_once('.').unwrap_or((field.path, ""));
@@ -97,7 +65,7 @@ pub fn open_drive(
     let target = targets.first().and_then(joint_and_coordinate);
     let kind = target.and_then(|(name, _)| kind_of(name));
     let word = target.and_then(|(_, word)| word);
-    let fields = kind.map_or_else(Vec::new, |kind| coordinates(kind, true));
+    let fields = kind.map_or_else(Vec::new, coordinates);
     let mut known = fields.iter();
     let field = known.find(|(path, _)| word.is_none_or(|word| word == path));
     let count = field.map_or(1, |(_, field)| match field.variable {
@@ -107,11 +75,41 @@ pub fn open_drive(
     Some((&drive.name, count))
 }
 
-/// Reports a joint on which no drive acts: given ones do not act on a free body.
+/// What drives along these freedoms act on: `orbit.position`, `orbit.attitude`; the name alone of a
+/// joint with one coordinate.
+pub fn targets(joint: &TreeJoint, freedoms: &[usize], is_planar: bool) -> Vec<String> {
+    let (name, all) = (&joint.name, joint.kind.freedoms(is_planar));
+    let known = coordinates(joint.kind);
+    if known.len() <= 1 {
+        return vec![name.to_string()];
+    }
+    let with = known.iter().filter(|(_, field)| {
+        let along = along(field, &all);
+        freedoms.iter().any(|freedom| along.contains(freedom))
+    });
+    with.map(|(word, _)| format!("{name}.{word}")).collect()
+}
+
+/// The freedoms of a coordinate.
+fn along(field: &Field, all: &[(Variable, usize)]) -> Vec<usize> {
+    let rate = match field.variable {
+        Variable::Position => Variable::Velocity,
+        _ => Variable::AngularVelocity,
+    };
+    // a quaternion has one component more than its rate
+    let of_field = field.first..field.first + field.names.len();
+    let chosen = (0..all.len()).filter(|freedom| {
+        let (variable, part) = all[*freedom];
+        variable == rate && of_field.contains(&part)
+    });
+    chosen.collect()
+}
+
+/// Reports a joint on which no drive acts.
 fn check_drivable(
     joint: &TreeJoint,
     all: &[(Variable, usize)],
-    (target, is_open): (&Expression, bool),
+    target: &Expression,
     errors: &mut Errors,
 ) -> Option<()> {
     let name = &joint.name;
@@ -122,33 +120,27 @@ fn check_drivable(
         );
         return errors.report(target.extent, message);
     }
-    let message = if all.is_empty() {
-        format!("`{name}` does not move: there is nothing to drive")
-    } else if joint.kind.is_free() && !is_open {
-        format!(
-            "nothing holds `{name}`: what acts on its body is a force or a moment in its braces"
-        )
-    } else {
-        return Some(());
-    };
-    let place = joint_named(target, errors)?.0.span();
-    errors.report(place, message)
+    if all.is_empty() {
+        let place = joint_named(target, errors)?.0.span();
+        let message = format!("`{name}` does not move: there is nothing to drive");
+        return errors.report(place, message);
+    }
+    Some(())
 }
 
-/// The coordinates along which a drive acts: the named one, or the only one.
+/// The freedoms along which a drive acts: those of the named coordinate, or of the only one.
 fn chosen(
     joint: &TreeJoint,
     all: &[(Variable, usize)],
-    (target, is_open): (&Expression, bool),
+    target: &Expression,
     errors: &mut Errors,
 ) -> Option<Vec<usize>> {
     let name = &joint.name;
     let (_, word) = joint_named(target, errors)?;
-    check_drivable(joint, all, (target, is_open), errors)?;
-    let known = coordinates(joint.kind, is_open);
+    check_drivable(joint, all, target, errors)?;
+    let known = coordinates(joint.kind);
     let words: Vec<&str> = known.iter().map(|(word, _)| *word).collect();
     let Some(word) = word else {
-        // a ball joint has no names for the components of its quaternion
         if words.len() <= 1 {
             return Some((0..all.len()).collect());
         }
@@ -160,50 +152,32 @@ fn chosen(
         );
     };
     let Some((_, field)) = known.into_iter().find(|(known, _)| *word == known) else {
-        if words.is_empty() {
-            let message = format!(
-                "no coordinate of `{name}` is a number: a drive on it is a moment, a vector, as in \
-                 `world(0, 0, torque).on({name})`"
-            );
-            return errors.report(word.span(), message);
-        }
         let all = words.join("`, `");
         return errors.report(
             word.span(),
             format!("a drive acts on a coordinate of `{name}`: `{all}`"),
         );
     };
-    let rate = match field.variable {
-        Variable::Position => Variable::Velocity,
-        _ => Variable::AngularVelocity,
-    };
-    // a quaternion has one component more than its rate
-    let of_field = field.first..field.first + field.names.len();
-    let chosen = (0..all.len()).filter(|freedom| {
-        let (variable, part) = all[*freedom];
-        variable == rate && of_field.contains(&part)
-    });
-    Some(chosen.collect())
+    Some(along(field, all))
 }
 
+/// What drives do: to the joints, and to bodies that are free.
+type Driven = (Vec<TreeJoint>, Vec<(usize, Load)>);
+
 impl Reader<'_> {
-    /// Adds the drives to the joints.
-    pub fn drives(
-        &mut self,
-        mut joints: Vec<TreeJoint>,
-        errors: &mut Errors,
-    ) -> Option<Vec<TreeJoint>> {
-        let mut is_sound = true;
+    /// Adds the drives to the joints. No joint transmits those of a free body: they are loads on it.
+    pub fn drives(&mut self, joints: Vec<TreeJoint>, errors: &mut Errors) -> Option<Driven> {
+        let (mut driven, mut is_sound) = ((joints, Vec::new()), true);
         for drive in &self.system.drives {
-            is_sound &= self.drive(drive, &mut joints, errors).is_some();
+            is_sound &= self.drive(drive, &mut driven, errors).is_some();
         }
-        is_sound.then_some(joints)
+        is_sound.then_some(driven)
     }
 
     fn drive(
         &mut self,
         drive: &Definition,
-        joints: &mut [TreeJoint],
+        (joints, loads): &mut Driven,
         errors: &mut Errors,
     ) -> Option<()> {
         let value = drive.value.as_ref()?;
@@ -220,26 +194,31 @@ impl Reader<'_> {
             };
             return errors.report(place, message);
         };
-        let (name, _) = joint_named(target, errors)?;
+        let (name, coordinate) = joint_named(target, errors)?;
         self.check_joint(name, errors)?;
         let place = joints.iter().position(|joint| joint.name == *name)?;
         let joint = &mut joints[place];
         let all = joint.kind.freedoms(self.system.is_planar);
         let is_open = matches!(load.kind, Kind::Placeholder);
-        let chosen = chosen(joint, &all, (target, is_open), errors)?;
+        let chosen = chosen(joint, &all, target, errors)?;
         if let Some(((word, _), _)) = call(load).filter(|((word, _), _)| *word == "moment") {
             let form = if chosen.len() == 1 {
                 "torque"
             } else {
                 "world(0, 0, torque)"
             };
+            let of = coordinate.map_or(String::new(), |coordinate| format!(".{coordinate}"));
             let message = format!(
-                "a drive is written without `moment(..)`, as in `{form}.on({name})`: the coordinate says what it is"
+                "a drive is written without `moment(..)`, as in `{form}.on({name}{of})`: the coordinate says what it is"
             );
             return errors.report(word.span(), message);
         }
         if is_open {
             return self.open(drive, load, joint, &chosen, errors);
+        }
+        if joint.kind.is_free() {
+            loads.push(self.on_free(drive, load, joint, all[chosen[0]].0, errors)?);
+            return Some(());
         }
         let parts = self.load_along(load, joint, all[chosen[0]].0, chosen.len(), errors)?;
         let joint = &mut joints[place];
@@ -283,6 +262,30 @@ impl Reader<'_> {
                 .map(|direction| graph.dot(direction, components));
             Some(along.collect())
         })
+    }
+
+    /// The drive of a free body: a force at its G, or a moment.
+    fn on_free(
+        &mut self,
+        drive: &Definition,
+        load: &Expression,
+        joint: &TreeJoint,
+        rate: Variable,
+        errors: &mut Errors,
+    ) -> Option<(usize, Load)> {
+        let (body, is_planar) = (joint.carried, self.system.is_planar);
+        let [force, moment] = self.at_top(errors, |lowering| {
+            if rate == Variable::Velocity {
+                let what = "the drive of a free body along its position";
+                let force = lowering.vector(load, Dimension::FORCE, what)?;
+                return Some([force, Vector::ZERO]);
+            }
+            let what = "the drive of a free body about its G";
+            let moment = read_moment(lowering, load, is_planar, what)?;
+            Some([Vector::ZERO, moment])
+        })?;
+        let center = Point::Fixed(self.members.bodies[body].frame, self.work.graph.zeros());
+        Some((body, given(drive, force, center, moment)))
     }
 
     /// Whether a drive names a joint that is known; `None` if that is reported.

@@ -3,6 +3,7 @@
 
 mod apart;
 mod asked;
+mod behind;
 mod between;
 mod constraints;
 mod drives;
@@ -28,6 +29,7 @@ use reading::body::{Draft, common_gravity};
 use reading::names::{check_loads, for_copy};
 use reading::reader::Reader;
 
+pub use drives::targets;
 pub use outline::outline_system;
 
 /// Gives a description of a system its meaning. `None` if there was any error.
@@ -65,8 +67,9 @@ pub fn lower_system(
         &reader.derivatives,
         errors,
     )?;
-    let (mut bodies, mut joints, mut points, between) = (bodies?, joints?, points?, between?);
-    for (body, load) in between.loads {
+    let (mut bodies, mut points, between) = (bodies?, points?, between?);
+    let (mut joints, on_free) = joints?;
+    for (body, load) in between.loads.into_iter().chain(on_free) {
         bodies[body].loads.push(load);
     }
     let mut work = reader.work;

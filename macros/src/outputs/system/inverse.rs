@@ -5,7 +5,7 @@ use quote::quote;
 
 use crate::emit::code::{Method, Site, Source};
 use crate::emit::items::{Addition, Field, Record};
-use crate::lower::{INVERSE, Offer};
+use crate::lower::{INVERSE, Offer, targets};
 use crate::mechanics::derive_system_inverse;
 use crate::model::System;
 use crate::outputs::output::{Basis, Output};
@@ -41,10 +41,19 @@ impl Output<System> for Inverse {
             .by_ref()
             .filter(|joint| system.is_tree() && joint.open.iter().any(Option::is_none));
         for joint in undriven {
-            let name = &joint.name;
+            let (name, open) = (&joint.name, joint.open.iter().enumerate());
+            let undriven = open.filter(|(_, drive)| drive.is_none());
+            let undriven: Vec<usize> = undriven.map(|(freedom, _)| freedom).collect();
+            let drives: Vec<String> = match &*targets(joint, &undriven, system.is_planar) {
+                [target] => vec![format!("`motor = _.on({target})`")],
+                several => (several.iter().zip(1..))
+                    .map(|(target, number)| format!("`motor_{number} = _.on({target})`"))
+                    .collect(),
+            };
             let message = format!(
                 "nothing drives `{name}`, and inverse dynamics finds the drives that make all joints \
-                 move as is given: write `motor = _.on({name})` for each coordinate"
+                 move as is given: write {}",
+                drives.join(" and ")
             );
             basis.errors.push(name.span(), message);
             is_sound = false;

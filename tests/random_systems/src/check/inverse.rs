@@ -83,9 +83,7 @@ impl Checks<'_> {
             if compiled.inverse.is_empty() {
                 break;
             }
-            // nothing drives what is free
-            let joint_of = &compiled.system.joints[joint];
-            if joint_of.is_driven() || joint_of.kind.is_free() {
+            if compiled.system.joints[joint].is_driven() {
                 continue;
             }
             let inverse = self.values(&compiled.inverse[joint]);

@@ -2,9 +2,9 @@
 
 use super::Drawing;
 use super::number::{Written3, literal};
-use crate::law::kind::Kind;
+use crate::law::kind::{Kind, turn};
 use crate::law::scene::Prescribed;
-use crate::law::space::{Vec3, ZERO, cross, dot, identity, unit};
+use crate::law::space::{Vec3, ZERO, apply, cross, dot, identity, transposed, unit};
 use crate::wide::Wide;
 
 /// From a point to a point, as they are written.
@@ -37,8 +37,10 @@ impl Drawing {
     }
 
     pub fn joint(&mut self, number: usize, carrier: Option<usize>) {
-        if carrier.is_none() && !self.is_open && !self.is_flat && self.numbers.rng.usize(0..10) >= 7
-        {
+        // the elimination of many freedoms with loads that follow accelerations loses digits
+        let is_large = self.is_open && self.extent.following;
+        let may_be_free = carrier.is_none() && !self.is_flat && !is_large;
+        if may_be_free && self.numbers.rng.usize(0..10) >= 7 {
             self.ground_joint(number);
             return;
         }
@@ -47,6 +49,7 @@ impl Drawing {
         let (word, kind) = self.kind(&Ends { from, to });
         let turned = self.turned();
         let driven = self.driven(kind);
+        let (word, kind) = self.in_axes_of_the_carrier(carrier, word, kind, turned.as_ref());
         let link = &mut self.links[number];
         (link.carrier, link.place, link.pin, link.kind) = (carrier, place, pin, kind);
         let mut word = word;
@@ -81,7 +84,8 @@ impl Drawing {
     fn kind(&mut self, ends: &Ends) -> (String, Kind) {
         let kind = match (self.is_planar || self.is_flat, self.is_open) {
             (true, _) => self.numbers.rng.usize(0..7),
-            (false, true) => 10 - self.numbers.rng.usize(0..8),
+            // the slides of a planar joint have no open drives here
+            (false, true) => 9 - self.numbers.rng.usize(0..9),
             (false, false) => 10 - self.numbers.rng.usize(0..11),
         };
         let (direction, d) = self.numbers.direction(self.is_planar);
@@ -134,7 +138,7 @@ impl Drawing {
                 Kind::Universal(d, e),
             ),
             3 => (format!("weld({from}, {to})"), Kind::Weld),
-            2 => (
+            2 if !self.is_open => (
                 format!("planar({from}, {to}, body({normal}))"),
                 Kind::planar(n),
             ),
@@ -183,6 +187,31 @@ impl Drawing {
             return Some((format!(".turned({word})"), identity()[2], angle));
         }
         Some((format!(".turned(body({axis_word}), {word})"), axis, angle))
+    }
+
+    /// One joint in four has the same components as directions in the axes of its carrier.
+    fn in_axes_of_the_carrier(
+        &mut self,
+        carrier: Option<usize>,
+        word: String,
+        kind: Kind,
+        turned: Option<&(String, Vec3, Wide)>,
+    ) -> (String, Kind) {
+        // the normal of a planar joint consists of numbers
+        let is_planar = matches!(kind, Kind::Planar(..));
+        if !self.numbers.one_of(4) || is_planar {
+            return (word, kind);
+        }
+        let axes = carrier.map_or("world".to_owned(), |body| {
+            format!("{}.body", self.name(body))
+        });
+        let word = word.replace("body(", &format!("{axes}("));
+        let back = |direction: Vec3| {
+            turned.map_or(direction, |(_, axis, angle)| {
+                apply(&transposed(&turn(*axis, *angle)), direction)
+            })
+        };
+        (word, kind.with_directions(back))
     }
 
     fn driven(&mut self, kind: Kind) -> Option<(String, Vec<Prescribed>)> {

@@ -95,11 +95,10 @@ impl Drawing {
         if is_opened {
             // the inputs that stand for them are the last ones
             inputs.truncate(inputs.len() - self.open.len());
-            for (joint, freedom, input) in &self.open {
-                let name = format!("o{joint}_{freedom} = ");
-                for drive in drives.iter_mut().filter(|drive| drive.starts_with(&name)) {
-                    *drive = drive.replace(&format!("u{input}."), "_.");
-                }
+            for drive in drives.iter_mut().filter(|drive| drive.starts_with('o')) {
+                let parts = drive.split_once(" = ").zip(drive.split_once(".on("));
+                let ((name, _), (_, joint)) = parts.expect("a drive of a joint");
+                *drive = format!("{name} = _.on({joint}");
             }
         }
         let mut text = "Drawn {\n".to_owned();

@@ -96,6 +96,18 @@ impl Kind {
         Self::Planar(apply(&turn, first), apply(&turn, second), normal)
     }
 
+    /// With other directions.
+    pub fn with_directions(self, of: impl Fn(Vec3) -> Vec3) -> Self {
+        match self {
+            Self::Revolute(d) => Self::Revolute(of(d)),
+            Self::Prismatic(d) => Self::Prismatic(of(d)),
+            Self::Cylindrical(d) => Self::Cylindrical(of(d)),
+            Self::Screw(d, pitch) => Self::Screw(of(d), pitch),
+            Self::Universal(d, e) => Self::Universal(of(d), of(e)),
+            other => other,
+        }
+    }
+
     pub fn pose(self, (q, v): &Rates, a: &[Wide]) -> Pose {
         let of = |k: usize| [q[k], v[k], a[k]];
         let [x, y, z] = identity();
@@ -165,6 +177,12 @@ impl Kind {
 
 fn vector(list: &[Wide]) -> Vec3 {
     [list[0], list[1], list[2]]
+}
+
+/// About an axis, by an angle.
+pub fn turn(axis: Vec3, angle: Wide) -> Mat3 {
+    let (sine, cosine) = angle.sin_cos();
+    turning(axis, sine, cosine)
 }
 
 /// About an axis, by an angle of this sine and cosine.

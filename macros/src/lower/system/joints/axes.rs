@@ -3,27 +3,32 @@
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
-use crate::model::{Axes, Dimension, Drawn, JointKind};
+use crate::model::{Axes, Dimension, Drawn, Frame, JointKind};
 use crate::symbolic::{Components, Graph, Id, Node};
 use crate::syntax::Expression;
 
 use super::drawing::in_drawing;
 use super::joint::first_name_of;
+use crate::lower::inertia::rotation;
 use crate::lower::system::reading::reader::{Reader, still};
 
+/// An axis, and an angle about it.
+type Turn = (Components, Id);
+
 impl Reader<'_> {
-    /// The directions of the parts of a joint.
+    /// The directions of the parts of a joint between these bodies, the first perhaps the ground.
     pub fn directions(
         &mut self,
-        body: usize,
+        between: (Option<usize>, usize),
         kind: &JointKind,
         arguments: &[Expression],
+        turned: &[Turn],
         errors: &mut Errors,
     ) -> Option<Vec<Components>> {
         let written = &arguments[arguments.len().min(2)..][..kind.directions()];
         let directions: Vec<Option<Components>> = written
             .iter()
-            .map(|direction| self.direction(body, direction, errors))
+            .map(|direction| self.direction(between, direction, turned, errors))
             .collect();
         if let [Some(first), Some(second)] = *directions {
             let across = self.work.graph.cross(first, second);
@@ -75,13 +80,52 @@ impl Reader<'_> {
         })
     }
 
-    /// A unit vector, the same in the axes of both bodies at zero coordinates.
+    /// A unit vector, in the axes of the carried body at zero coordinates, if it is turned like this.
     fn direction(
+        &mut self,
+        between: (Option<usize>, usize),
+        written: &Expression,
+        turned: &[Turn],
+        errors: &mut Errors,
+    ) -> Option<Components> {
+        let (frame, direction) = self.framed_direction(between.1, written, errors)?;
+        let axes = |body: Option<usize>| match body {
+            Some(body) => self.members.bodies[body].frame,
+            None => Frame::WORLD,
+        };
+        let (carrier, carried) = (axes(between.0), axes(Some(between.1)));
+        if self.system.is_drawn() || frame == carried {
+            return Some(direction);
+        }
+        if frame != carrier {
+            let name = |body: usize| &self.members.bodies[body].name;
+            let of_carrier = match between.0 {
+                Some(body) => format!("{}.body", name(body)),
+                None => "world".to_owned(),
+            };
+            let message = format!(
+                "a direction of a joint is in the axes of what it joins: write `body(..)` for those of \
+                 `{}`, or `{of_carrier}(..)`",
+                name(between.1)
+            );
+            return errors.report(written.extent, message);
+        }
+        let graph = &mut self.work.graph;
+        let back = turned.iter().fold(direction, |direction, (axis, angle)| {
+            let angle = graph.negate(*angle);
+            let rows = rotation(graph, *axis, angle);
+            rows.map(|row| graph.dot(row, direction))
+        });
+        Some(back)
+    }
+
+    /// A unit vector as it is written, and its axes.
+    fn framed_direction(
         &mut self,
         body: usize,
         written: &Expression,
         errors: &mut Errors,
-    ) -> Option<Components> {
+    ) -> Option<(Frame, Components)> {
         let frame = self.members.bodies[body].frame;
         let defaults = self.defaults.clone();
         let mut scope = self.scope.clone();
@@ -101,9 +145,9 @@ impl Reader<'_> {
             is_whole: false,
         };
         let found = if self.system.is_drawn() {
-            lowering.direction(&in_drawing(written), &defaults)
+            lowering.framed_direction(&in_drawing(written), &defaults)
         } else {
-            lowering.direction(written, &defaults)
+            lowering.framed_direction(written, &defaults)
         };
         self.scope = scope;
         found
@@ -112,10 +156,10 @@ impl Reader<'_> {
     /// All `.turned(axis, angle)`, each in the axes rotated by those before.
     pub fn turned(
         &mut self,
-        body: usize,
+        between: (Option<usize>, usize),
         methods: &[(&Ident, &[Expression])],
         errors: &mut Errors,
-    ) -> Option<Vec<(Components, Id)>> {
+    ) -> Option<Vec<Turn>> {
         let mut turned = Some(Vec::new());
         let may_turn = !self.system.is_drawn();
         // the outermost method is written last
@@ -124,7 +168,8 @@ impl Reader<'_> {
         for (method, arguments) in others {
             let found = match *arguments {
                 [axis, angle] if *method == "turned" && may_turn && !self.system.is_planar => {
-                    let axis = self.direction(body, axis, errors);
+                    let before = turned.as_deref().unwrap_or_default();
+                    let axis = self.direction(between, axis, before, errors);
                     let angle = self.fixed_angle(angle, errors);
                     axis.zip(angle)
                 }

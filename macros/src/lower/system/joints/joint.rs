@@ -5,7 +5,7 @@ use core::ops::Deref;
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, hint, hint_of_joint};
-use crate::lower::expressions::{JointNames, Value};
+use crate::lower::expressions::{JointNames, Value, strip_unit};
 use crate::model::{Connection, Dimension, Frame, Holds, JointKind, Rates, Variable};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{CABLE, Called, Definition, Expression, Kind, LINK, call};
@@ -43,6 +43,10 @@ impl ReadJoint {
     }
 }
 
+/// The error of what is no point.
+const EXPECTED: &str =
+    "expected a point of a body, such as `arm.tip`, or of the ground, `world(..)`";
+
 /// A point of a body, by its index, or of the ground, and its offset there.
 pub type End = (Option<usize>, Components);
 
@@ -64,16 +68,14 @@ fn unknown_kind(word: &Ident, is_planar: bool) -> String {
     let kinds = JointKind::all(is_planar).iter();
     let all: Vec<&str> = kinds.map(|kind| kind.word).chain([CABLE, LINK]).collect();
     let hint = hint_of_joint(&word.to_string(), &all);
-    let is_elsewhere = JointKind::all(!is_planar)
-        .iter()
-        .any(|kind| word == kind.word);
-    let here = match (is_elsewhere, is_planar) {
-        (false, _) => "",
-        (true, true) => " in the plane",
-        (true, false) => " in space",
+    let mut elsewhere = JointKind::all(!is_planar).iter();
+    let otherwise = match (elsewhere.any(|kind| word == kind.word), is_planar) {
+        (false, _) => ": expected",
+        (true, true) => " in the plane: leave `motion: planar` out, or write",
+        (true, false) => " in space: write `motion: planar`, or",
     };
     let all = all.join("`, `");
-    format!("there is no joint `{word}`{here}: expected one of `{all}`{hint}")
+    format!("there is no joint `{word}`{otherwise} one of `{all}`{hint}")
 }
 
 fn check_count(
@@ -137,9 +139,11 @@ impl Reader<'_> {
             return self.joint_of_center(joint, kind, &arguments[0], &methods, errors);
         }
         let (carrier, (body, pin)) = self.joined(kind, called, &mut methods, errors)?;
-        let directions = self.directions(body, kind, arguments, errors);
+        let between = (carrier.0, body);
+        let turned = self.turned(between, &methods, errors);
+        let before = turned.as_deref().unwrap_or_default();
+        let directions = self.directions(between, kind, arguments, before, errors);
         let pitch = self.pitch(kind, arguments, errors);
-        let turned = self.turned(body, &methods, errors);
         let driven = self.driven(kind, &methods, errors);
         let armature = self.armature(kind, &methods, errors);
         let (turned, driven) = (turned?, driven?);
@@ -270,6 +274,15 @@ impl Reader<'_> {
             );
             return None;
         }
+        let mut joints = self.members.joints.iter();
+        match &strip_unit(written).kind {
+            Kind::Name(name) if joints.any(|one| *name == one.name.as_str()) => {
+                let message = format!("`{name}` is a joint: {EXPECTED}");
+                return errors.report(name.span(), message);
+            }
+            Kind::Tuple(_) => return errors.report(written.extent, EXPECTED),
+            _ => {}
+        }
         self.at_top(errors, |lowering| {
             let found = match lowering.value(written)? {
                 Value::Carried(body, offset) => {
@@ -287,10 +300,7 @@ impl Reader<'_> {
                 _ => None,
             };
             let Some((position, dimension)) = found else {
-                return lowering.report(
-                    written.extent,
-                    "expected a point of a body, such as `arm.tip`, or of the ground, `world(..)`",
-                );
+                return lowering.report(written.extent, EXPECTED);
             };
             if !dimension.fits(Dimension::LENGTH) {
                 let found = dimension.described();

@@ -318,3 +318,115 @@ fn singular_configurations() {
         );
     }
 }
+
+/// The lines of text in editors that state laws.
+fn laws(expansion: TokenStream) -> Vec<String> {
+    let text = expansion.to_string();
+    let lines = text.split("(not (doc) , doc = \" - `").skip(1);
+    let lines = lines.filter_map(|rest| rest.split_once("`\""));
+    lines.map(|(law, _)| law.to_owned()).collect()
+}
+
+#[test]
+fn laws_name_their_loads() {
+    let drone = expand_description(quote!(Drone {
+        motion: spatial,
+        inputs: [thrust[N], twist[N * m]],
+        mass: 1.25[kg],
+        inertia: principal(0.0123, 0.0123, 0.067 / 3)[kg * m ^ 2],
+        points: [front = (0.2, 0, 0)],
+        fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
+        forces: [
+            lift = body(0, 0, thrust).at(front),
+            push = body(thrust, 0, 0)
+        ],
+        moments: [drag = body(0, 0, twist)],
+    }));
+    assert_eq!(
+        laws(drone),
+        [
+            "m a = F_weight + F_lift + F_push, m = 1.25 kg",
+            "J ω′ + ω × J ω = r × F_lift + M_drag, J = diag(0.0123, 0.0123, 0.022333) kg m²",
+        ]
+    );
+    let pendulum = expand_description(quote!(Pendulum {
+        motion: pivot(hinge),
+        mass: 2[kg],
+        inertia: 0.5[kg * m ^ 2],
+        points: [hinge = (0, 0.5)],
+        fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+    }));
+    // about the hinge: 0.5 + 2 / 4
+    assert_eq!(laws(pendulum), ["J φ″ = r × F_weight, J = 1 kg m²"]);
+    let free = expand_description(quote!(Rock {
+        motion: rotation,
+        mass: 1,
+        inertia: tensor {
+            xx: 2,
+            yy: 3,
+            zz: 4,
+            xy: 0.5
+        },
+    }));
+    assert_eq!(
+        laws(free),
+        ["J ω′ + ω × J ω = 0, J = [2, 0.5, 0; 0.5, 3, 0; 0, 0, 4] kg m²"]
+    );
+}
+
+#[test]
+fn joints_act_on_both_of_their_bodies() {
+    let arm = expand_system(quote!((::newton_euler) Arm {
+        motion: planar,
+        bodies: [
+            upper { mass: 2[kg], inertia: 1[kg * m ^ 2], points: [a = (1, 0), b = (-1, 0)] },
+            lower { mass: 3[kg], inertia: 1[kg * m ^ 2], points: [a = (1, 0)] },
+        ],
+        joints: [shoulder = revolute(world(0, 0), upper.a), elbow = revolute(upper.b, lower.a)],
+    }));
+    assert_eq!(
+        laws(arm),
+        [
+            "upper: m a = F_shoulder − F_elbow, m = 2 kg",
+            "upper: J φ″ = r × F_shoulder + M_shoulder − r × F_elbow − M_elbow, J = 1 kg m²",
+            "lower: m a = F_elbow, m = 3 kg",
+            "lower: J φ″ = r × F_elbow + M_elbow, J = 1 kg m²",
+        ]
+    );
+}
+
+#[test]
+fn pages_have_few_digits_and_no_guards() {
+    let ladder = expand_description(quote!(Ladder {
+        motion: planar,
+        mass: 3[kg],
+        inertia: 1[kg * m ^ 2],
+        points: [foot = (-1.5, 0), top = (1.5, 0)],
+        inputs: [
+            #[doc = " Of a hand."]
+            push[N]
+        ],
+        forces: [hand = world(push, 0)],
+        constraints: [
+            floor = foot.position().in_world().y,
+            wall = top.position().in_world().x
+        ],
+        reactions: [ground = world(0, _).at(foot), side = world(_, 0).at(top)],
+    }));
+    let text = ladder.to_string();
+    assert!(
+        text.contains("<span title=\\\"0.3333333333333333\\\">0.33333</span>"),
+        "{text}"
+    );
+    assert!(
+        text.contains("\" Of a hand.\\n\\n `push` in N.\""),
+        "{text}"
+    );
+    let listing = text.split("const TEXT").nth(1).expect("the equations");
+    let listing = listing.split("TEXT }").next().expect("their end");
+    assert!(listing.contains(" = 1 / "), "{listing}");
+    assert!(
+        !listing.contains("determined") && !listing.contains("private"),
+        "{listing}"
+    );
+}

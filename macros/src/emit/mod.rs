@@ -6,6 +6,7 @@
 
 pub mod code;
 pub mod items;
+mod page;
 pub mod series;
 
 use proc_macro2::TokenStream;

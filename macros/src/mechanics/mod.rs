@@ -27,6 +27,7 @@ pub use linearization::{
     Block, Column, Differentiated, Linearization, Row, Tangent, differentiated_body,
     differentiated_system, linearize, sensitivity,
 };
+pub use report::{Law, Left, Part, Term};
 pub use structure::{Dependence, QUANTITIES, Structure, Symmetry};
 pub use system::{
     Counter, Course, Inertias, Jacobian, SystemEquations, SystemFlow, check_followers,
@@ -44,7 +45,7 @@ use std::cell::OnceCell;
 use answers::{derive_switches, list_partial, loads};
 use balances::{EulerForm, derive_accelerations};
 use following::{REACTION, check_linear, settle, with_settled};
-use report::{classify, list_centers, list_skipped};
+use report::{classify, list_centers, list_laws, list_skipped};
 use structure::derive_structure;
 use unknowns::{derive_consistency, derive_constrained, derive_reactions};
 
@@ -71,6 +72,8 @@ pub struct Equations {
 
 /// The documentation of a body, line by line.
 pub struct Report {
+    /// The balances of its bodies.
+    pub laws: Vec<Law>,
     /// Its properties, under headings; some of these may be empty.
     pub lists: Vec<(&'static str, Vec<String>)>,
     /// The terms that are not computed, and the reasons.
@@ -164,5 +167,10 @@ pub fn describe_equations(model: &Model, work: &mut Workspace, equations: &Equat
         ("Inertia about G", classify(model, work)),
         ("Charges", list_centers(model, work)),
     ];
-    Report { lists, skipped }
+    let laws = list_laws(model, work);
+    Report {
+        laws,
+        lists,
+        skipped,
+    }
 }

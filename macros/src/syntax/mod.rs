@@ -57,6 +57,8 @@ pub struct Description {
     /// Rust constants and functions of the user.
     pub constants: Vec<Constant>,
     pub functions: Vec<Function>,
+    /// The documentation of params, inputs and states, by name.
+    pub texts: Vec<(String, Vec<String>)>,
     pub params: Vec<Declaration>,
     pub inputs: Vec<Declaration>,
     /// User-defined states, and the rate of each.
@@ -90,6 +92,7 @@ impl Description {
             composition: None,
             constants: Vec::new(),
             functions: Vec::new(),
+            texts: Vec::new(),
             params: Vec::new(),
             inputs: Vec::new(),
             states: Vec::new(),

@@ -38,7 +38,10 @@ mod equations_of_Glider {
     }
     impl Glider {
         /// The equations of motion, as evaluated.
-        pub const EQUATIONS: &str = "# once, in the constructor\nfrom_drag = 25.0 * drag\nfrom_drag_1 = 20.0 * drag\nfrom_drag_2 = -20.0 * drag\nfrom_drag_3 = -25.0 * drag\n# at every evaluation\nnorm = sqrt(wx * wx + wy * wy + wz * wz)\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = -0.25 * wy\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = -(from_drag * (wx * norm) + 49.03325 * (qy * qz + qw * qx) + wz * precession)\nangular_y = 39.2266 * (qx * qz - qw * qy) - from_drag_1 * (wy * norm)\nangular_z = wx * precession - from_drag * (wz * norm)";
+        pub const EQUATIONS: &str = {
+            const TEXT: &str = "# once, in the constructor\nfrom_drag = 25.0 * drag\nfrom_drag_1 = 20.0 * drag\nfrom_drag_2 = -20.0 * drag\nfrom_drag_3 = -25.0 * drag\n# at every evaluation\nnorm = sqrt(wx * wx + wy * wy + wz * wz)\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = -0.25 * wy\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = -(from_drag * (wx * norm) + 49.03325 * (qy * qz + qw * qx) + wz * precession)\nangular_y = 39.2266 * (qx * qz - qw * qy) - from_drag_1 * (wy * norm)\nangular_z = wx * precession - from_drag * (wz * norm)";
+            TEXT
+        };
         /// Their operation counts, by function and stage.
         pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
             ::newton_euler::private::Operations::parameter("new", [4, 0, 0, 0, 0, 0]),

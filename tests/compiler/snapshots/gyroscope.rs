@@ -36,7 +36,10 @@ mod equations_of_Gyroscope {
     }
     impl Gyroscope {
         /// The equations of motion, as evaluated.
-        pub const EQUATIONS: &str = "# once, in the constructor\ninertia_about_support_xx = 0.0005 + across\nfrom_rotor_across = rotor / (rotor + 2.0 * inertia_about_support_xx - rotor)\ncoupling_x = (across - rotor + 0.0005) / inertia_about_support_xx\nfrom_across = 0.196133 / inertia_about_support_xx\nfrom_across_1 = -0.196133 / inertia_about_support_xx\nfrom_rotor_across_1 = 1.0 - from_rotor_across\n# at every evaluation\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = coupling_x * wz\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = wy * precession + from_across * (qy * qz + qw * qx)\nangular_y = from_across_1 * (qx * qz - qw * qy) - wx * precession\nangular_z = 0.0";
+        pub const EQUATIONS: &str = {
+            const TEXT: &str = "# once, in the constructor\ninertia_about_support_xx = 0.0005 + across\nfrom_rotor_across = rotor / (rotor + 2.0 * inertia_about_support_xx - rotor)\ncoupling_x = (across - rotor + 0.0005) / inertia_about_support_xx\nfrom_across = 0.196133 / inertia_about_support_xx\nfrom_across_1 = -0.196133 / inertia_about_support_xx\nfrom_rotor_across_1 = 1.0 - from_rotor_across\n# at every evaluation\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = coupling_x * wz\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = wy * precession + from_across * (qy * qz + qw * qx)\nangular_y = from_across_1 * (qx * qz - qw * qy) - wx * precession\nangular_z = 0.0";
+            TEXT
+        };
         /// Their operation counts, by function and stage.
         pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
             ::newton_euler::private::Operations::parameter("new", [1, 6, 4, 0, 0, 0]),

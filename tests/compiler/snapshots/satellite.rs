@@ -31,7 +31,10 @@ pub struct SatelliteInput {
 }
 impl Satellite {
     /// The equations of motion, as evaluated.
-    pub const EQUATIONS: &str = "# (J - lambda 1) w, body axes\nrelative_momentum_x = 0.07 * wz - (0.8 * wx + 0.12 * wy)\nminus_relative_momentum_y = 0.12 * wx + 0.4 * wy + 0.05 * wz\nrelative_momentum_z = 0.07 * wx - 0.05 * wy\n# M - w x J w about G, body axes\nnet_moment_x = torque_x - (wy * relative_momentum_z + wz * minus_relative_momentum_y)\nnet_moment_y = torque_y - (wz * relative_momentum_x - wx * relative_momentum_z)\nnet_moment_z = wx * minus_relative_momentum_y + wy * relative_momentum_x + torque_z\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = 0.7755401063473637 * net_moment_x + 0.054021504254329326 * net_moment_y - 0.02456511058647571 * net_moment_z\nangular_y = 0.054021504254329326 * net_moment_x + 0.5924104677805748 * net_moment_y + 0.01230429432915509 * net_moment_z\nangular_z = 0.01230429432915509 * net_moment_y - 0.02456511058647571 * net_moment_x + 0.4773022725988148 * net_moment_z";
+    pub const EQUATIONS: &str = {
+        const TEXT: &str = "# (J - lambda 1) w, body axes\nrelative_momentum_x = 0.07 * wz - (0.8 * wx + 0.12 * wy)\nminus_relative_momentum_y = 0.12 * wx + 0.4 * wy + 0.05 * wz\nrelative_momentum_z = 0.07 * wx - 0.05 * wy\n# M - w x J w about G, body axes\nnet_moment_x = torque_x - (wy * relative_momentum_z + wz * minus_relative_momentum_y)\nnet_moment_y = torque_y - (wz * relative_momentum_x - wx * relative_momentum_z)\nnet_moment_z = wx * minus_relative_momentum_y + wy * relative_momentum_x + torque_z\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = 0.7755401063473637 * net_moment_x + 0.054021504254329326 * net_moment_y - 0.02456511058647571 * net_moment_z\nangular_y = 0.054021504254329326 * net_moment_x + 0.5924104677805748 * net_moment_y + 0.01230429432915509 * net_moment_z\nangular_z = 0.01230429432915509 * net_moment_y - 0.02456511058647571 * net_moment_x + 0.4773022725988148 * net_moment_z";
+        TEXT
+    };
     /// Their operation counts, by function and stage.
     pub const OPERATIONS: &[::newton_euler::private::Operations] = &[
         ::newton_euler::private::Operations::state("acceleration", [23, 17, 0, 0, 0, 0]),

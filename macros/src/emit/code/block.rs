@@ -99,7 +99,7 @@ impl Block<'_> {
                 (operand(b).map(|b| format!("inverse_{b}")), "inverse")
             }
             Node::Divide(..) => (None, "ratio"),
-            Node::Pivot(..) => (None, "reciprocal"),
+            Node::Pivot(a, _) => (operand(a).map(|a| format!("inverse_{a}")), "inverse"),
             Node::Positive(_) => (None, "positive"),
             Node::Foreign(function, _) => {
                 let functions = &self.writer.work.functions;

@@ -54,7 +54,23 @@ pub fn to_text(tokens: &TokenStream) -> String {
     }
     // `$crate::private::math::sin(x)` and `self.inverse_mass` are more readable without their paths
     let functions = without_path(&text, "private::math::");
-    without_path(&functions, "private::").replace("self.", "")
+    without_guards(&without_path(&functions, "private::")).replace("self.", "")
+}
+
+/// `determined(divisor, scale)` as the quotient that it is.
+fn without_guards(text: &str) -> String {
+    let parts = text.split_once("determined(").and_then(|(before, call)| {
+        let (divisor, call) = call.split_once(", ")?;
+        let (_, after) = call.split_once(')')?;
+        Some((before, divisor, after))
+    });
+    let Some((before, divisor, after)) = parts else {
+        return text.to_owned();
+    };
+    if before.is_empty() && after.is_empty() {
+        return format!("1 / {divisor}");
+    }
+    format!("{before}(1 / {divisor}){}", without_guards(after))
 }
 
 /// Removes a path that ends like this, wherever it begins.

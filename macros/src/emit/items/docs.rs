@@ -4,12 +4,14 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use crate::emit::code::{Method, private};
+use crate::emit::page::{laws_in_text, laws_on_page, statements_on_page};
 use crate::mechanics::Report;
 use crate::model::{Declared, Outline};
 use crate::symbolic::Cost;
 
 use super::addition::Addition;
 use super::constructor::Constructor;
+use super::rigid_body::Best;
 
 /// The rustdoc of the type, and its inherent constants.
 pub struct Documentation {
@@ -36,6 +38,10 @@ impl Documentation {
         let costs: Vec<_> = stored.into_iter().chain(evaluated).collect();
         let text = equations_text(acceleration, constructor);
         let mut lines = lines(outline, &text, &costs, report);
+        if !outline.is_still() {
+            let method = integration(addition.best, outline.is_constrained);
+            lines.extend(quote!(#[cfg_attr(doc, doc = "", doc = #method)]));
+        }
         let guards = acceleration.facts.guards;
         let singular = [
             guards.pivots.then(|| singular(outline)),
@@ -89,6 +95,10 @@ fn lines(
         outline.doc.clone()
     };
     let title = title.iter().map(|line| spaced(line));
+    let in_text = laws_in_text(&report.laws);
+    let in_text = in_text.iter().map(|law| format!(" - `{law}`"));
+    let laws = laws_on_page(&report.laws).into_iter();
+    let statements = statements_on_page(text).into_iter();
     let text = text.iter().map(|line| spaced(line));
     let costs: Vec<String> = costs
         .iter()
@@ -100,13 +110,36 @@ fn lines(
     let skipped = listed("Skipped", &report.skipped);
     quote! {
         #(#[doc = #title])*
-        #[cfg_attr(doc, doc = "", doc = " ```text")]
+        #(#[cfg_attr(doc, doc = "", doc = "# Laws", doc = "", doc = #laws, doc = "")])*
+        #[cfg_attr(not(doc), doc = "")]
+        #(#[cfg_attr(not(doc), doc = #in_text)])*
+        #(#[cfg_attr(doc, doc = "# Equations", doc = "", doc = #statements, doc = "")])*
+        #[cfg_attr(doc, doc = "<details><summary>Statements as computed</summary>", doc = "")]
+        #[cfg_attr(doc, doc = "```text")]
         #(#[cfg_attr(doc, doc = #text)])*
-        #[cfg_attr(doc, doc = " ```")]
+        #[cfg_attr(doc, doc = "```", doc = "", doc = "</details>", doc = "")]
         #(#[doc = #lists])*
         #(#[doc = #operations])*
         #(#[doc = #skipped])*
     }
+}
+
+/// The method and the tolerance of `integrate`.
+fn integration(best: Best, is_constrained: bool) -> String {
+    let method = match best {
+        Best::ClosedForm => "evaluates the closed form; a tolerance has no effect",
+        Best::Series => "takes steps of Taylor series, with errors of 1e-9 per step",
+        Best::RungeKutta => {
+            "takes steps of a Runge–Kutta pair, with errors of 1e-9 per step: Verner's of order 9, \
+             and Dormand and Prince's of order 8 for tolerances above 1e-5"
+        }
+    };
+    let projected = if is_constrained {
+        ". After each step the state is projected onto the constraints"
+    } else {
+        ""
+    };
+    format!("By default `integrate` {method}{projected}.")
 }
 
 /// The equations of the constructor, then those of the acceleration.
@@ -190,7 +223,10 @@ fn constants(
     });
     quote! {
         /// The equations of motion, as evaluated.
-        pub const EQUATIONS: &str = #text;
+        pub const EQUATIONS: &str = {
+            const TEXT: &str = #text;
+            TEXT
+        };
         /// Their operation counts, by function and stage.
         pub const OPERATIONS: &[#private::Operations] = &[#(#rows),*];
         /// The terms that were left out, and why.
@@ -198,7 +234,7 @@ fn constants(
     }
 }
 
-/// `arm`: unit, axes and default of a field.
+/// The documentation of a field: what the description says, its unit, axes and default.
 pub fn declared_doc(declared: &Declared) -> String {
     let axes = match declared.frame {
         Some(frame) => format!(", {} axes", frame.text()),
@@ -209,9 +245,11 @@ pub fn declared_doc(declared: &Declared) -> String {
     } else {
         ""
     };
-    format!(
-        " `{}` in {}{axes}{moving}.",
-        declared.name,
-        declared.shown_unit()
-    )
+    let texts = declared.text.iter().map(|line| format!("{line}\n"));
+    let mut text: String = texts.collect();
+    if !text.is_empty() {
+        text.push('\n');
+    }
+    let (name, unit) = (&declared.name, declared.shown_unit());
+    format!("{text} `{name}` in {unit}{axes}{moving}.")
 }

@@ -56,7 +56,8 @@ pub fn outline(
     check_motion(description, errors);
     let motion = written_motion(description).unwrap_or_else(|| likely_motion(description));
     let declared = |declarations| {
-        let each = distinct(declarations).map(|declaration| declared(declaration, motion));
+        let each =
+            distinct(declarations).map(|declaration| declared(declaration, description, motion));
         each.collect()
     };
     Outline {
@@ -99,15 +100,18 @@ pub fn outline(
 }
 
 /// A declaration, as far as it is known before anything is looked up.
-fn declared(declaration: &Declaration, motion: Motion) -> Declared {
+fn declared(declaration: &Declaration, description: &Description, motion: Motion) -> Declared {
     let frame = declaration.value.iter().flatten().find_map(written_frame);
     let has_default = declaration
         .value
         .as_ref()
         .is_some_and(|value| !value.as_ref().is_some_and(has_placeholder));
     let components = frame.map_or(1, |_| motion.axes());
+    let mut texts = description.texts.iter();
+    let text = texts.find(|(name, _)| declaration.name == name);
     Declared {
         name: declaration.name.clone(),
+        text: text.map_or_else(Vec::new, |(_, lines)| lines.clone()),
         frame,
         dimension: Dimension::ANY,
         unit: None,

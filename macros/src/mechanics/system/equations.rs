@@ -4,6 +4,7 @@ use crate::errors::Errors;
 use crate::mechanics::Report;
 use crate::mechanics::answers::{Partial, Switch, derive_switches, list_partial, parts};
 use crate::mechanics::following::{takes_inertia, unknowns_in};
+use crate::mechanics::report::list_laws_of_system;
 use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree::{self, Built, SolvedTree};
 use crate::model::{Own, System, Tie, Workspace};
@@ -179,7 +180,11 @@ fn described(tie: &Tie) -> String {
 }
 
 /// The bodies and joints of a system, and the terms that do not appear in its equations.
-pub fn describe_system(system: &System, work: &Workspace, equations: &SystemEquations) -> Report {
+pub fn describe_system(
+    system: &System,
+    work: &mut Workspace,
+    equations: &SystemEquations,
+) -> Report {
     let name = |body: usize| format!("`{}`", system.bodies[body].name);
     let joints = system.connections().enumerate().map(|(number, joint)| {
         let carrier = joint.carrier.map_or("the ground".to_owned(), name);
@@ -205,5 +210,10 @@ pub fn describe_system(system: &System, work: &Workspace, equations: &SystemEqua
             lists.push((heading, ties.iter().map(described).collect()));
         }
     }
-    Report { lists, skipped }
+    let laws = list_laws_of_system(system, work);
+    Report {
+        laws,
+        lists,
+        skipped,
+    }
 }

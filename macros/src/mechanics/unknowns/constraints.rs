@@ -10,7 +10,7 @@
 //! If the reactions point along the gradients of their constraints, `A_i . D_j` is symmetric and
 //! positive: a sum of squares over masses.
 
-use crate::errors::Errors;
+use crate::errors::{Errors, Extent};
 use crate::mechanics::balances::{EulerForm, check_moment_free, response, rod, solve_balances};
 use crate::mechanics::proofs::samples;
 use crate::model::{Frame, Load, Model, Pair, Vector, Workspace};
@@ -52,9 +52,12 @@ pub fn derive_constrained(
     }
     let names_of_free = Some(["free", "free_angular"]);
     let (free, form) = solve_balances(model, work, &loads, Vec::new(), names_of_free);
+    let names = names(model, pushes.iter().map(|push| &push.unit));
     let mut rows = Vec::new();
     for constraint in &constraints {
-        rows.push(constraint_row(work, constraint, &pushes, free));
+        let row = constraint_row(work, constraint, &pushes, free);
+        name_row(work, constraint, &names, &row);
+        rows.push(row);
     }
     let left = rows_left(model, work, &pushes, &loads, free, errors)?;
     rows.extend(left.iter().map(|(_, row)| row.clone()));
@@ -65,7 +68,6 @@ pub fn derive_constrained(
     }
     let elimination = work.graph.solve(system, pushes.len());
     let left: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
-    let names = names(model, pushes.iter().map(|push| &push.unit));
     let determined = check_determined(work, &names, &elimination, |_| OF_REACTIONS, errors);
     check_kept(model, &constraints, &left, &pushes, &elimination, errors)?;
     determined?;
@@ -105,6 +107,30 @@ fn constraint_row(
     let rest = factors.dot(graph, free);
     let known = graph.add(rest, constraint.rates.rate);
     (coefficients, graph.negate(known))
+}
+
+/// Names the parts of the equation of a constraint: its derivatives, the effect of each unknown, and
+/// what the unknowns have to make up for.
+fn name_row(
+    work: &mut Workspace,
+    constraint: &Constrained,
+    unknowns: &[(String, Extent)],
+    (coefficients, right): &Sides,
+) {
+    let of = constraint.name.replace('.', "_");
+    let Pair { linear, angular } = constraint.rates.factors;
+    let labels = &mut work.labels;
+    labels.name(constraint.velocity, format!("{of}_rate"));
+    labels.name(constraint.rates.rate, format!("{of}_drift"));
+    labels.vector(&format!("{of}_gradient"), linear);
+    labels.vector_or_one(&of, "turning", angular);
+    for ((unknown, _), coefficient) in unknowns.iter().zip(coefficients) {
+        labels.name(
+            *coefficient,
+            format!("{of}_by_{}", unknown.replace('.', "_")),
+        );
+    }
+    labels.name(*right, format!("{of}_to_balance"));
 }
 
 /// The balances that the free accelerations leave over: the moments about G, for a body that does

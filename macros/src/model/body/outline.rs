@@ -249,6 +249,8 @@ impl Outline {
 /// A parameter or an input.
 pub struct Declared {
     pub name: Ident,
+    /// Its documentation in the description.
+    pub text: Vec<String>,
     /// The axes of the components of a vector; none for a scalar.
     pub frame: Option<FrameWord>,
     pub dimension: Dimension,

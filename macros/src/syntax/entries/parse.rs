@@ -1,6 +1,6 @@
 //! From tokens to a [`Description`]: its head and its keys.
 
-use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, Extent, similar};
 
@@ -242,9 +242,40 @@ fn parse_list(
         _ => Entry::Defined,
     };
     for entry in split(group.stream(), form, errors) {
-        parse_one(into, list, without_attributes(&entry, errors), errors);
+        let entry = match list {
+            "params" | "inputs" | "states" => take_texts(into, &entry),
+            _ => &entry,
+        };
+        parse_one(into, list, without_attributes(entry, errors), errors);
     }
     None
+}
+
+/// Takes the documentation in front of a declaration, and returns the rest.
+fn take_texts<'t>(into: &mut Description, entry: &'t [TokenTree]) -> &'t [TokenTree] {
+    let (mut rest, mut lines) = (entry, Vec::new());
+    while let [hash, TokenTree::Group(group), tail @ ..] = rest
+        && is_punct(hash, '#')
+        && let Some(line) = line_of_documentation(group)
+    {
+        lines.push(line);
+        rest = tail;
+    }
+    if let (Some(name), false) = (rest.first().and_then(name_of), lines.is_empty()) {
+        into.texts.push((name, lines));
+    }
+    rest
+}
+
+/// The text of `[doc = ".."]`, which Rust makes of `/// ..`.
+fn line_of_documentation(group: &Group) -> Option<String> {
+    let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+    match tokens.as_slice() {
+        [TokenTree::Ident(word), equals, text @ ..] if word == "doc" && is_punct(equals, '=') => {
+            string(text).map(|text| text.value())
+        }
+        _ => None,
+    }
 }
 
 /// One entry of a list.

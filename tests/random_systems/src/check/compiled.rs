@@ -160,7 +160,7 @@ impl Compiled {
             }),
             regressors: has_regressor
                 .then(|| derive_system_regressors(&system, &mut work, &equations)),
-            skipped: describe_system(&system, &work, &equations).skipped,
+            skipped: describe_system(&system, &mut work, &equations).skipped,
             accelerations: equations.accelerations.clone(),
             reactions,
             driving: derive_system_driving(&mut work, &equations),

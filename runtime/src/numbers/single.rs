@@ -5,7 +5,7 @@
 //! elementary functions", 1980), of which the first three times a multiple are exact; from
 //! [`LARGEST`] on, in integers, with as many digits of 2/π as count (M. Payne, R. Hanek, ACM SIGNUM
 //! Newsletter 18 (1983) 19). The polynomials are those of S. Moshier's Cephes library. Errors are
-//! below 0.85 units in the last place, for angles of any size (`tests/scalars.rs`).
+//! below 0.85 units in the last place, for angles of any size (`tests/scalars/single.rs`).
 
 use core::f32::consts::FRAC_2_PI;
 

@@ -3,6 +3,7 @@
 mod blocks;
 mod determinant;
 mod eliminate;
+mod orthogonal;
 mod sizes;
 mod system;
 mod values;

@@ -37,9 +37,7 @@ impl Drawing {
     }
 
     pub fn joint(&mut self, number: usize, carrier: Option<usize>) {
-        // the elimination of many freedoms with loads that follow accelerations loses digits
-        let is_large = self.is_open && self.extent.following;
-        let may_be_free = carrier.is_none() && !self.is_flat && !is_large;
+        let may_be_free = carrier.is_none() && !self.is_flat;
         if may_be_free && self.numbers.rng.usize(0..10) >= 7 {
             self.ground_joint(number);
             return;

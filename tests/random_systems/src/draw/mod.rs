@@ -130,6 +130,8 @@ pub struct Drawing {
     pub is_flat: bool,
     /// All drives are open.
     pub is_open: bool,
+    /// Loads follow accelerations.
+    pub follows: bool,
     pub extent: Extent,
     pub links: Vec<Link>,
     pub rings: Vec<Ring>,
@@ -231,6 +233,7 @@ impl Drawing {
         Self {
             is_flat: false,
             is_open: false,
+            follows: false,
             numbers,
             is_planar,
             extent,

@@ -111,10 +111,10 @@ impl Report {
                 Outcome::Open => self.open += 1,
                 Outcome::Right(errors) => {
                     self.states += 1;
-                    let lists = if drawn.rings.is_empty() {
-                        &mut self.trees
-                    } else {
-                        &mut self.loops
+                    let lists = match (drawn.rings.is_empty(), drawn.follows) {
+                        (true, false) => &mut self.trees,
+                        (true, true) => &mut self.followed,
+                        (false, _) => &mut self.loops,
                     };
                     keep(&mut lists[0], errors.acceleration, index);
                     keep(&mut lists[1], errors.conditioned, index);

@@ -21,6 +21,8 @@ pub struct Report {
     pub refusals: BTreeMap<String, usize>,
     /// The largest relative errors of doubles, and beside what a rounding of the state does.
     pub trees: [Vec<(f64, usize)>; 2],
+    /// Of trees whose loads follow accelerations.
+    pub followed: [Vec<(f64, usize)>; 2],
     pub loops: [Vec<(f64, usize)>; 2],
     /// Of the first kind of failure.
     pub kinds: BTreeMap<String, usize>,
@@ -88,7 +90,12 @@ impl fmt::Display for Report {
         for (words, count) in &self.kinds {
             writeln!(f, "{count:>9}  FAILED: {words}")?;
         }
-        for (what, [errors, conditioned]) in [("trees", &self.trees), ("loops", &self.loops)] {
+        let lists = [
+            ("trees", &self.trees),
+            ("trees with loads that follow accelerations", &self.followed),
+            ("loops", &self.loops),
+        ];
+        for (what, [errors, conditioned]) in lists {
             let listed = |list: &[(f64, usize)]| {
                 let list = list
                     .iter()

@@ -72,14 +72,14 @@ impl<'a> Assembly<'a> {
         let mut begun = (0..STARTS).map(|start| (start, Random::new(start)));
         let anywhere = begun.clone().map(|(start, mut random)| {
             let values = self.start(&mut random, start);
-            count(&self.spanned(&values).0)
+            count(&self.independent_at(&values))
         });
         let most = anywhere.take(4).max()?;
         let closed = begun.by_ref().filter_map(|(start, mut random)| {
             let mut values = self.start(&mut random, start);
             self.close(&mut values)?;
             self.moves(&values, &mut random)
-                .then(|| self.spanned(&values).0)
+                .then(|| self.independent_at(&values))
         });
         // folded states have fewer independent rows, but other states are meant
         let found = closed.max_by_key(|found| count(found))?;
@@ -127,11 +127,17 @@ impl<'a> Assembly<'a> {
             .collect()
     }
 
-    /// Whether each row is independent of those before it, and the span of all.
-    fn spanned(&self, values: &Values) -> (Vec<bool>, Span) {
+    /// Whether each row is independent of those before it. Slopes by each coordinate are divided
+    /// by their largest, as a distant point has large slopes by angles.
+    fn independent_at(&self, values: &Values) -> Vec<bool> {
+        let mut rows = self.slopes(values);
+        for freedom in 0..self.rates.len() {
+            let entries = rows.iter().map(|row| row[freedom].abs());
+            let largest = entries.fold(f64::MIN_POSITIVE, f64::max);
+            rows.iter_mut().for_each(|row| row[freedom] /= largest);
+        }
         let mut span = Span::default();
-        let rows = self.slopes(values).into_iter();
-        (rows.map(|row| span.take(row)).collect(), span)
+        rows.into_iter().map(|row| span.take(row)).collect()
     }
 
     /// Finds a nearby closed state by Newton's method with damping: the displacement of each
@@ -185,7 +191,10 @@ impl<'a> Assembly<'a> {
     /// Whether the system can move on, with rows as dependent as they are here.
     fn moves(&self, values: &Values, random: &mut Random) -> bool {
         let slopes = self.slopes(values);
-        let (found, span) = self.spanned(values);
+        let mut span = Span::default();
+        for row in &slopes {
+            span.take(row.clone());
+        }
         let is_held = |freedom: usize| slopes.iter().any(|row| row[freedom] != 0.0);
         let way = (0..self.rates.len()).map(|own| if is_held(own) { random.number() } else { 0.0 });
         let Some(way) = span.left(way.collect()) else {
@@ -197,7 +206,8 @@ impl<'a> Assembly<'a> {
             return false;
         };
         let back: f64 = back.iter().zip(&way).map(|(a, b)| a * b).sum();
-        back > -0.5 * MOVED && count(&self.spanned(&moved).0) == count(&found)
+        let ranks = [values, &moved].map(|values| count(&self.independent_at(values)));
+        back > -0.5 * MOVED && ranks[0] == ranks[1]
     }
 }
 

@@ -40,7 +40,7 @@ pub fn lower_description(
     let (mass, inertia) = lowering.substance(description, outline, &defaults);
     let potentials = lowering.potentials(description);
     let [unknown, driving, known] = loads_by_kind(description);
-    let is_inverse = outline.rank(INVERSE).is_some();
+    let (motion, is_inverse) = (outline.motion, outline.rank(INVERSE).is_some());
     let drives = driving.into_iter();
     let drives = every(drives.map(|load| lowering.drive(load, is_inverse)));
     let constraints = lowering.constraints(description, &outline.inputs);
@@ -54,7 +54,6 @@ pub fn lower_description(
     let checks = lowering.claims(description, &reactions);
 
     outline.unused = unused(description, &scope);
-    let motion = outline.motion;
     let derivatives: Vec<usize> = outline.inputs.iter().map(Declared::derivatives).collect();
     let (constraints, states) = (constraints?, states?);
     check_states(&work, &constraints, &states, &derivatives, errors)?;

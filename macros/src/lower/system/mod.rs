@@ -58,21 +58,14 @@ pub fn lower_system(
     let checks = reader.checks(&outline.holding, errors);
     outline.unused = reader.unused(&drafts);
     check_substances(&reader.work, bodies.iter().flatten(), outline, errors);
-    let (constraints, (links, lengths)) = (constraints?, reader.links(errors)?);
-    let states = states?;
-    check_states(
-        &reader.work,
-        &constraints.list,
-        &states,
-        &reader.derivatives,
-        errors,
-    )?;
+    let (constraints, (links, lengths), states) = (constraints?, reader.links(errors)?, states?);
+    let (mut work, derivatives) = (reader.work, reader.derivatives);
+    check_states(&work, &constraints.list, &states, &derivatives, errors)?;
     let (mut bodies, mut points, between) = (bodies?, points?, between?);
     let (mut joints, on_free) = joints?;
     for (body, load) in between.loads.into_iter().chain(on_free) {
         bodies[body].loads.push(load);
     }
-    let mut work = reader.work;
     let gravity = common_gravity(&mut work, &mut bodies, system.top.loads.len());
     let bodies = carriers_first(bodies, &mut joints, &mut closings, &mut points)?;
     let written = tell_frames(outline, &joints);
@@ -94,7 +87,7 @@ pub fn lower_system(
         cables: between.cables,
         links,
         properties: [lengths, between.properties].concat(),
-        derivatives: reader.derivatives,
+        derivatives,
         is_differentiated: outline.asks_for(&[LINEARIZATION, FLOW]),
         defaults: reader.defaults,
         checks: checks?,

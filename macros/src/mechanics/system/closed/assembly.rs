@@ -134,7 +134,9 @@ impl<'a> Assembly<'a> {
         for freedom in 0..self.rates.len() {
             let entries = rows.iter().map(|row| row[freedom].abs());
             let largest = entries.fold(f64::MIN_POSITIVE, f64::max);
-            rows.iter_mut().for_each(|row| row[freedom] /= largest);
+            for row in &mut rows {
+                row[freedom] /= largest;
+            }
         }
         let mut span = Span::default();
         rows.into_iter().map(|row| span.take(row)).collect()

@@ -2,7 +2,7 @@
 
 use newton_euler::scalar::NumDual;
 use newton_euler::state::generic;
-use newton_euler::{Dual, Scalar};
+use newton_euler::{Dual, Scalar, prelude::*};
 use num_dual::{Dual2_64, Dual64};
 
 use crate::{Craft, CraftInput, Derived, state};

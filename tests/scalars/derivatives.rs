@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use newton_euler::state::generic;
-use newton_euler::{Dual, prelude::*};
+use newton_euler::{Dual, Scalar, prelude::*};
 use proptest::prelude::*;
 
 use crate::{Craft, CraftInput, Derived, numbers, state};

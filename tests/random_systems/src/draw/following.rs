@@ -19,7 +19,7 @@ impl Drawing {
         } else {
             (format!("{point}.acceleration()"), format!(".at({point})"))
         };
-        self.follows = true;
+        self.following += 1;
         let k_word = literal(k);
         let parts = if axis == 0 { ["1", "0"] } else { ["0", "1"] };
         let along = format!(

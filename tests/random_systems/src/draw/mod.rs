@@ -130,8 +130,6 @@ pub struct Drawing {
     pub is_flat: bool,
     /// All drives are open.
     pub is_open: bool,
-    /// Loads follow accelerations.
-    pub follows: bool,
     pub extent: Extent,
     pub links: Vec<Link>,
     pub rings: Vec<Ring>,
@@ -144,8 +142,9 @@ pub struct Drawing {
     /// Of each state, as they are written and as they are.
     pub rates: Vec<(String, Size)>,
     pub gravity: Option<Vec3>,
-    /// How many loads were drawn.
+    /// How many loads were drawn, and how many of them follow accelerations.
     pub loads: usize,
+    pub following: usize,
     /// What is written of each body, and of those that are alike; by number, the first of them.
     pub bodies: Vec<Keys>,
     pub firsts: Vec<usize>,
@@ -233,7 +232,7 @@ impl Drawing {
         Self {
             is_flat: false,
             is_open: false,
-            follows: false,
+            following: 0,
             numbers,
             is_planar,
             extent,

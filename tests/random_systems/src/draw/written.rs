@@ -67,7 +67,7 @@ impl Drawing {
             stored: self.stored,
             falling: self.falling,
             declared: self.numbers.declared,
-            follows: self.follows,
+            follows: self.following > 0,
             rates: self.rates.into_iter().map(|(_, rate)| rate).collect(),
             open: self.open,
             gravity: self.gravity,

@@ -5,7 +5,7 @@ use std::process::Command;
 
 use newton_euler::prelude::*;
 
-use crate::bodies::Somewhere;
+use crate::somewhere::Somewhere;
 
 type Acceleration<B> = <<B as RigidBody>::State as State>::Acceleration;
 

@@ -8,6 +8,7 @@
 mod bodies;
 mod counted;
 mod record;
+mod somewhere;
 
 use bodies::BODIES;
 use record::Record;

@@ -10,8 +10,16 @@
 //! are regular: so nothing has to be known about the coefficients. A determinant of this many
 //! equations would lose digits in its products. In the scalar product, each equation is divided by
 //! the length of its coefficients, as equations have different units.
+//!
+//! What is left of a column is rounding if it is no longer than the rounding of its parts. The
+//! result is that of a matrix whose columns are rounded (Bjoerck, same paper), so the parts are the
+//! multiples of the earlier columns that come closest to it, and the column itself:
+//!
+//! ```text
+//! |a_k| + sum of |x_j| |a_j|        a_k - sum of x_j a_j = q_k
+//! ```
 
-use crate::symbolic::graph::Id;
+use crate::symbolic::graph::{Graph, Id};
 use crate::symbolic::number::Function;
 use crate::symbolic::zeros::Sample;
 
@@ -20,6 +28,33 @@ use super::system::System;
 /// An expression, and its value at the random state.
 #[derive(Clone)]
 struct Entry(Id, Sample);
+
+/// The columns that are orthogonal already.
+#[derive(Default)]
+struct Before {
+    /// Of each, the factors by which it was subtracted from later columns.
+    factors: Vec<Vec<Id>>,
+}
+
+impl Before {
+    /// `|a_k| + sum of |x_j| |a_j|` of column k.
+    fn parts(&self, graph: &mut Graph, lengths: &[Id], k: usize) -> Id {
+        let mut multiples = vec![graph.zero(); k];
+        let mut parts = vec![lengths[k]];
+        for j in (0..k).rev() {
+            let mut multiple = self.factors[j][k];
+            for i in j + 1..k {
+                let less = graph.multiply(self.factors[j][i], multiples[i]);
+                multiple = graph.subtract(multiple, less);
+            }
+            multiples[j] = graph.quantity(multiple);
+            let size = graph.apply(Function::Abs, &[multiples[j]]);
+            parts.push(graph.multiply(size, lengths[j]));
+        }
+        let parts = graph.sum(&parts);
+        graph.quantity(parts)
+    }
+}
 
 impl System<'_> {
     /// Solves these rows for these columns, unless they may be dependent on some branch. `solved`
@@ -44,8 +79,9 @@ impl System<'_> {
         let Some(weights) = self.weights(&vectors) else {
             return false;
         };
-        let sizes = vectors.clone();
+        let mut before = Before::default();
         let zero = self.graph.zero();
+        let lengths = self.lengths(&weights, &vectors);
         let mut found = Vec::new();
         for (place, column) in columns.iter().enumerate() {
             let own = vectors[place].clone();
@@ -53,15 +89,17 @@ impl System<'_> {
             if square.1.may_vanish() {
                 return false;
             }
-            let size = self.dot(&weights, &sizes[place], &sizes[place]).0;
-            let [length, size] =
-                [square.0, size].map(|one| self.graph.apply(Function::Sqrt, &[one]));
-            let inverse = self.graph.checked_reciprocal(length, size);
+            let length = self.graph.apply(Function::Sqrt, &[square.0]);
+            let parts = before.parts(self.graph, &lengths, place);
+            let inverse = self.graph.checked_reciprocal(length, parts);
             let weighted = self.weighted(&weights, &own, inverse);
             let mut coefficients = vec![zero; self.rows[rows[place]].coefficients.len()];
-            for (other, vector) in columns.iter().zip(&mut vectors).skip(place + 1) {
-                coefficients[*other] = self.make_orthogonal((&weighted, &own), vector, &square.1);
+            let mut factors = vec![zero; columns.len()];
+            for (other, vector) in vectors.iter_mut().enumerate().skip(place + 1) {
+                factors[other] = self.make_orthogonal((&weighted, &own), vector, &square.1);
+                coefficients[columns[other]] = factors[other];
             }
+            before.factors.push(factors);
             let mut along = sides
                 .iter_mut()
                 .map(|side| self.project((&weighted, &own), side))
@@ -80,6 +118,15 @@ impl System<'_> {
             self.give(*row, column, one);
         }
         true
+    }
+
+    /// `|a|` of each column.
+    fn lengths(&mut self, weights: &[Entry], vectors: &[Vec<Entry>]) -> Vec<Id> {
+        let lengths = vectors.iter().map(|vector| {
+            let square = self.dot(weights, vector, vector).0;
+            self.graph.apply(Function::Sqrt, &[square])
+        });
+        lengths.collect()
     }
 
     /// `1 / |a|^2` of each row; none if a row may be zero.

@@ -29,30 +29,54 @@ use super::system::System;
 #[derive(Clone)]
 struct Entry(Id, Sample);
 
-/// The columns that are orthogonal already.
-#[derive(Default)]
-struct Before {
-    /// Of each, the factors by which it was subtracted from later columns.
-    factors: Vec<Vec<Id>>,
+impl Entry {
+    fn nothing(graph: &Graph, sample: &Sample) -> Self {
+        Self(graph.zero(), sample.nothing())
+    }
+
+    /// `a - factor * b`
+    fn less(&self, graph: &mut Graph, factor: &Self, b: &Self) -> Self {
+        let sample = self.1.minus(&factor.1.times(&b.1));
+        if sample.is_zero() {
+            return Self::nothing(graph, &sample);
+        }
+        let part = graph.multiply(factor.0, b.0);
+        let value = graph.subtract(self.0, part);
+        Self(graph.quantity(value), sample)
+    }
 }
 
-impl Before {
-    /// `|a_k| + sum of |x_j| |a_j|` of column k.
+/// Equations in triangular form: `x_k + sum of factors[k][j] x_j = sides[k]`, j after k.
+#[derive(Default)]
+struct Triangle {
+    factors: Vec<Vec<Entry>>,
+    sides: Vec<Vec<Id>>,
+    /// The reciprocals of the lengths of columns.
+    inverses: Vec<Id>,
+}
+
+impl Triangle {
+    /// `|a_k| + sum of |x_j| |a_j|` of column k, the next one.
     fn parts(&self, graph: &mut Graph, lengths: &[Id], k: usize) -> Id {
-        let mut multiples = vec![graph.zero(); k];
         let mut parts = vec![lengths[k]];
-        for j in (0..k).rev() {
-            let mut multiple = self.factors[j][k];
-            for i in j + 1..k {
-                let less = graph.multiply(self.factors[j][i], multiples[i]);
-                multiple = graph.subtract(multiple, less);
-            }
-            multiples[j] = graph.quantity(multiple);
-            let size = graph.apply(Function::Abs, &[multiples[j]]);
-            parts.push(graph.multiply(size, lengths[j]));
+        for (Entry(multiple, _), length) in self.solve(graph, k).into_iter().zip(lengths) {
+            let multiple = graph.apply(Function::Abs, &[multiple]);
+            parts.push(graph.multiply(multiple, *length));
         }
         let parts = graph.sum(&parts);
         graph.quantity(parts)
+    }
+
+    /// The multiples of the columns so far that come closest to a later column.
+    fn solve(&self, graph: &mut Graph, column: usize) -> Vec<Entry> {
+        let factors = self.factors.iter().map(|factors| factors[column].clone());
+        let mut values: Vec<Entry> = factors.collect();
+        for k in (0..values.len()).rev() {
+            for j in k + 1..values.len() {
+                values[k] = values[k].less(graph, &self.factors[k][j], &values[j]);
+            }
+        }
+        values
     }
 }
 
@@ -65,59 +89,106 @@ impl System<'_> {
         columns: &[usize],
         solved: &[usize],
     ) -> bool {
-        let entry = |row: &usize, column: usize| {
-            let row = &self.rows[*row];
-            Entry(row.coefficients[column], row.sample[column].clone())
+        let vector = |column: &usize| {
+            let rows = rows.iter().map(|row| &self.rows[*row]);
+            rows.map(|row| Entry(row.coefficients[*column], row.sample[*column].clone()))
+                .collect()
         };
-        let vector = |column: &usize| rows.iter().map(|row| entry(row, *column)).collect();
-        let mut vectors: Vec<Vec<Entry>> = columns.iter().map(vector).collect();
-        let mut sides: Vec<Vec<Id>> = solved
-            .iter()
-            .map(|column| rows.iter().map(|row| entry(row, *column).0).collect())
+        let vectors: Vec<Vec<Entry>> = columns.iter().map(vector).collect();
+        let of = |row: &usize, column: &usize| self.rows[*row].coefficients[*column];
+        let sides = solved.iter();
+        let mut sides: Vec<Vec<Id>> = sides
+            .map(|column| rows.iter().map(|row| of(row, column)).collect())
             .collect();
         sides.push(rows.iter().map(|row| self.rows[*row].right).collect());
-        let Some(weights) = self.weights(&vectors) else {
+        let Some(triangle) = self.solved_early(&vectors, &sides) else {
             return false;
         };
-        let mut before = Before::default();
-        let zero = self.graph.zero();
-        let lengths = self.lengths(&weights, &vectors);
-        let mut found = Vec::new();
-        for (place, column) in columns.iter().enumerate() {
-            let own = vectors[place].clone();
-            let square = self.dot(&weights, &own, &own);
-            if square.1.may_vanish() {
-                return false;
+        for (place, (row, column)) in rows.iter().zip(columns).enumerate() {
+            let equation = &mut self.rows[*row];
+            equation.coefficients.fill(self.graph.zero());
+            let factors = triangle.factors[place].iter().map(|factor| factor.0);
+            let factors = columns.iter().copied().zip(factors);
+            let sides = triangle.sides[place].iter().copied();
+            let sides = solved.iter().copied().zip(sides);
+            for (other, coefficient) in factors.chain(sides) {
+                equation.coefficients[other] = coefficient;
             }
-            let length = self.graph.apply(Function::Sqrt, &[square.0]);
-            let parts = before.parts(self.graph, &lengths, place);
-            let inverse = self.graph.checked_reciprocal(length, parts);
-            let weighted = self.weighted(&weights, &own, inverse);
-            let mut coefficients = vec![zero; self.rows[rows[place]].coefficients.len()];
-            let mut factors = vec![zero; columns.len()];
-            for (other, vector) in vectors.iter_mut().enumerate().skip(place + 1) {
-                factors[other] = self.make_orthogonal((&weighted, &own), vector, &square.1);
-                coefficients[columns[other]] = factors[other];
-            }
-            before.factors.push(factors);
-            let mut along = sides
-                .iter_mut()
-                .map(|side| self.project((&weighted, &own), side))
-                .collect::<Vec<Id>>();
-            let right = along.pop().unwrap_or(zero);
-            for (other, along) in solved.iter().zip(along) {
-                coefficients[*other] = along;
-            }
-            found.push((*column, inverse, coefficients, right));
-        }
-        for (row, (column, inverse, coefficients, right)) in rows.iter().zip(found) {
-            self.rows[*row].coefficients = coefficients;
-            self.rows[*row].right = right;
-            self.pivots.push((column, inverse));
+            equation.right = triangle.sides[place][solved.len()];
+            self.pivots.push((*column, triangle.inverses[place]));
             let one = self.graph.one();
-            self.give(*row, column, one);
+            self.give(*row, *column, one);
         }
         true
+    }
+
+    /// The triangle. If all coefficients are known early, so is their inverse, and the triangle is
+    /// solved.
+    fn solved_early(&mut self, vectors: &[Vec<Entry>], sides: &[Vec<Id>]) -> Option<Triangle> {
+        let count = vectors.len();
+        let mut entries = vectors.iter().flatten();
+        if !entries.all(|entry| self.graph.is_early(entry.0)) {
+            return self.triangle(vectors.to_vec(), count, sides.to_vec());
+        }
+        let weights = self.weights(vectors)?;
+        let nothing = Entry::nothing(self.graph, &weights[0].1);
+        let one = Entry(self.graph.one(), weights[0].1.over(&weights[0].1));
+        let units = (0..count).map(|own| {
+            let mut unit = vec![nothing.clone(); count];
+            unit[own] = one.clone();
+            unit
+        });
+        let beside = vectors.iter().cloned().chain(units).collect();
+        let mut triangle = self.triangle(beside, count, Vec::new())?;
+        let inverse: Vec<Vec<Entry>> = (count..2 * count)
+            .map(|unit| triangle.solve(self.graph, unit))
+            .collect();
+        triangle.factors = vec![vec![nothing; count]; count];
+        triangle.sides = (0..count)
+            .map(|k| {
+                let sums = sides.iter().map(|side| {
+                    let parts = inverse.iter().zip(side);
+                    let parts = parts.map(|(of, side)| self.graph.multiply(of[k].0, *side));
+                    let parts: Vec<Id> = parts.collect();
+                    self.graph.sum(&parts)
+                });
+                sums.collect()
+            })
+            .collect();
+        Some(triangle)
+    }
+
+    /// The first `count` vectors are the columns.
+    fn triangle(
+        &mut self,
+        mut vectors: Vec<Vec<Entry>>,
+        count: usize,
+        mut sides: Vec<Vec<Id>>,
+    ) -> Option<Triangle> {
+        let weights = self.weights(&vectors[..count])?;
+        let lengths = self.lengths(&weights, &vectors[..count]);
+        let mut triangle = Triangle::default();
+        for k in 0..count {
+            let own = vectors[k].clone();
+            let square = self.dot(&weights, &own, &own);
+            if square.1.may_vanish() {
+                return None;
+            }
+            let length = self.graph.apply(Function::Sqrt, &[square.0]);
+            let parts = triangle.parts(self.graph, &lengths, k);
+            let inverse = self.graph.checked_reciprocal(length, parts);
+            let weighted = self.weighted(&weights, &own, inverse);
+            let mut factors = vec![Entry::nothing(self.graph, &square.1); vectors.len()];
+            for (other, vector) in vectors.iter_mut().enumerate().skip(k + 1) {
+                factors[other] = self.make_orthogonal((&weighted, &own), vector, &square.1);
+            }
+            let sides = sides.iter_mut();
+            let along = sides.map(|side| self.project((&weighted, &own), side));
+            triangle.sides.push(along.collect());
+            triangle.factors.push(factors);
+            triangle.inverses.push(inverse);
+        }
+        Some(triangle)
     }
 
     /// `|a|` of each column.
@@ -151,7 +222,7 @@ impl System<'_> {
 
     /// `sum of w a b`
     fn dot(&mut self, weights: &[Entry], a: &[Entry], b: &[Entry]) -> Entry {
-        let mut sum = Entry(self.graph.zero(), weights[0].1.nothing());
+        let mut sum = Entry::nothing(self.graph, &weights[0].1);
         for (weight, (a, b)) in weights.iter().zip(a.iter().zip(b)) {
             let product = self.graph.multiply(a.0, b.0);
             let product = self.graph.multiply(weight.0, product);
@@ -182,28 +253,21 @@ impl System<'_> {
         (weighted, own): (&[Entry], &[Entry]),
         vector: &mut [Entry],
         square: &Sample,
-    ) -> Id {
-        let mut factor = Entry(self.graph.zero(), square.nothing());
+    ) -> Entry {
+        let mut factor = Entry::nothing(self.graph, square);
         for (weighted, entry) in weighted.iter().zip(&*vector) {
             let part = self.graph.multiply(weighted.0, entry.0);
             factor.0 = self.graph.add(factor.0, part);
             factor.1 = factor.1.plus(&weighted.1.times(&entry.1));
         }
         if factor.1.is_zero() {
-            return self.graph.zero();
+            return Entry::nothing(self.graph, square);
         }
         factor = Entry(self.graph.quantity(factor.0), factor.1.over(square));
         for (own, entry) in own.iter().zip(vector) {
-            let sample = entry.1.minus(&factor.1.times(&own.1));
-            let part = self.graph.multiply(factor.0, own.0);
-            let value = self.graph.subtract(entry.0, part);
-            *entry = if sample.is_zero() {
-                Entry(self.graph.zero(), sample.nothing())
-            } else {
-                Entry(self.graph.quantity(value), sample)
-            };
+            *entry = entry.less(self.graph, &factor, own);
         }
-        factor.0
+        factor
     }
 
     /// The same for a right side.

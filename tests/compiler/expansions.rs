@@ -8,7 +8,7 @@ use proc_macro2::{Literal, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use crate::descriptions::{many_forces, quadrotor};
-use crate::{expand_description, pretty};
+use crate::{expand_description, expand_system, pretty, printed};
 
 fn plank() -> TokenStream {
     quote!(Plank {
@@ -92,14 +92,66 @@ fn gyroscope() -> TokenStream {
     })
 }
 
+fn double_pendulum() -> TokenStream {
+    quote!(DoublePendulum {
+        doc: "Two arms in the plane, hinged to each other and to the ground.",
+        motion: planar,
+        bodies: [
+            upper {
+                mass: 1.2[kg],
+                inertia: 0.04[kg * m ^ 2],
+                points: [hinge = (-0.28, 0)[m], tip = (0.32, 0)[m]],
+            },
+            lower {
+                mass: 0.8[kg],
+                inertia: 0.015[kg * m ^ 2],
+                points: [hinge = (-0.22, 0)[m]],
+            },
+        ],
+        joints: [
+            shoulder = revolute(world(0, 0), upper.hinge),
+            elbow = revolute(upper.tip, lower.hinge),
+        ],
+        fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
+    })
+}
+
+fn slider_crank() -> TokenStream {
+    quote!(SliderCrank {
+        doc: "A crank that drives a slider by a rod: a closed loop.",
+        motion: planar,
+        inputs: [torque[N * m]],
+        bodies: [
+            crank {
+                inertia: 0.002[kg * m ^ 2],
+                mass: 0.5[kg],
+                points: [pin = (0.05, 0)[m]],
+            },
+            rod {
+                mass: 0.4[kg],
+                inertia: 0.0012[kg * m ^ 2],
+                points: [big = (-0.06, 0)[m], small = (0.12, 0)[m]],
+            },
+            slider { mass: 0.3[kg] },
+        ],
+        joints: [
+            bearing = revolute(world(0, 0), crank.G),
+            big_end = revolute(crank.pin, rod.big),
+            guide = prismatic(world(0, 0), slider.G, body(1, 0)),
+            small_end = revolute(rod.small, slider.G),
+        ],
+        drives: [motor = torque.on(bearing)],
+        outputs: [reactions(small_end)],
+    })
+}
+
 /// Compares with the file of that name; `BLESS=1` writes it.
-fn check(name: &str, description: TokenStream) {
+fn check(name: &str, expansion: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("tests/compiler/snapshots")
         .join(format!("{name}.rs"));
-    let expansion = pretty(description);
     if std::env::var_os("BLESS").is_some() {
-        fs::write(&path, &expansion).expect("a writable snapshot");
+        fs::write(&path, expansion).expect("a writable snapshot");
     }
     let expected = fs::read_to_string(&path).expect("a snapshot: run with BLESS=1 to write it");
     assert_eq!(
@@ -108,32 +160,44 @@ fn check(name: &str, description: TokenStream) {
     );
 }
 
+fn bodies() -> [(&'static str, TokenStream); 7] {
+    [
+        ("quadrotor", quadrotor()),
+        ("plank", plank()),
+        ("satellite", satellite()),
+        ("top", top()),
+        ("towed", towed()),
+        ("glider", glider()),
+        ("gyroscope", gyroscope()),
+    ]
+}
+
+fn systems() -> [(&'static str, TokenStream); 2] {
+    [
+        ("double_pendulum", double_pendulum()),
+        ("slider_crank", slider_crank()),
+    ]
+}
+
 #[test]
 fn snapshots() {
-    check("quadrotor", quadrotor());
-    check("plank", plank());
-    check("satellite", satellite());
-    check("top", top());
-    check("towed", towed());
-    check("glider", glider());
-    check("gyroscope", gyroscope());
+    for (name, description) in bodies() {
+        check(name, &pretty(description));
+    }
+    for (name, description) in systems() {
+        check(name, &printed(expand_system(description)));
+    }
 }
 
 #[test]
 fn the_same_description_gives_the_same_expansion() {
-    for description in [
-        quadrotor(),
-        plank(),
-        satellite(),
-        top(),
-        towed(),
-        glider(),
-        gyroscope(),
-    ] {
-        let first = pretty(description.clone());
+    let bodies = bodies().map(|(_, body)| (expand_description as fn(_) -> _, body));
+    let systems = systems().map(|(_, system)| (expand_system as fn(_) -> _, system));
+    for (expand, description) in bodies.into_iter().chain(systems) {
+        let first = printed(expand(description.clone()));
         // every hash map has a seed of its own
         for _ in 0..8 {
-            assert_eq!(pretty(description.clone()), first);
+            assert_eq!(printed(expand(description.clone())), first);
         }
     }
 }
@@ -173,6 +237,39 @@ fn a_quadrotor_is_a_page() {
     );
     let acceleration = lines_of(&expansion, "fn acceleration");
     assert!(acceleration <= 40, "{acceleration} lines");
+}
+
+/// The equations of a double pendulum can be checked by hand.
+#[test]
+fn a_double_pendulum_is_a_page() {
+    let expansion = printed(expand_system(double_pendulum()));
+    let acceleration = lines_of(&expansion, "fn acceleration");
+    assert!(acceleration <= 40, "{acceleration} lines");
+}
+
+/// Chains of 8, 16 and 32 arms in the plane.
+#[test]
+fn the_code_of_a_chain_grows_with_the_number_of_bodies() {
+    let lines = [8, 16, 32].map(|count| {
+        let (mut bodies, mut joints) = (String::new(), String::new());
+        for body in 0..count {
+            let points = "from = (-0.2, 0)[m], to = (0.2, 0)[m]";
+            let body_text = format!(
+                "b{body} {{ mass: 1[kg], inertia: 0.02[kg * m ^ 2], points: [{points}] }},"
+            );
+            bodies.push_str(&body_text);
+            let carrier = match body {
+                0 => "world(0, 0)".to_owned(),
+                _ => format!("b{}.to", body - 1),
+            };
+            joints.push_str(&format!("j{body} = revolute({carrier}, b{body}.from),"));
+        }
+        let text = format!("Chain {{ motion: planar, bodies: [{bodies}], joints: [{joints}] }}");
+        let expansion = printed(expand_system(text.parse().expect("tokens")));
+        lines_of(&expansion, "fn acceleration")
+    });
+    let [first, second] = [lines[1] - lines[0], lines[2] - lines[1]];
+    assert!(second <= 2 * first + 2, "{lines:?}");
 }
 
 /// A product of series for each of the two components of the angular velocity that move: so each rate is a sum of two, those of attitude

@@ -32,9 +32,18 @@ fn expand_description(description: TokenStream) -> TokenStream {
     mounted::expand::expand(quote!((::newton_euler) #description))
 }
 
-/// The expansion as `cargo expand` prints it, derives left as they are: without what is for rustdoc alone.
+/// The same of a system.
+fn expand_system(description: TokenStream) -> TokenStream {
+    mounted::expand::expand_system(quote!((::newton_euler) #description))
+}
+
+/// The expansion of a body as `cargo expand` prints it.
 fn pretty(description: TokenStream) -> String {
-    let tokens = expand_description(description);
+    printed(expand_description(description))
+}
+
+/// As `cargo expand` prints it, derives left as they are: without what is for rustdoc alone.
+fn printed(tokens: TokenStream) -> String {
     let mut file: syn::File = syn::parse2(tokens).expect("an expansion is a list of items");
     file.items.iter_mut().for_each(without_text);
     prettyplease::unparse(&file)

@@ -322,9 +322,14 @@ fn singular_configurations() {
 /// The lines of text in editors that state laws.
 fn laws(expansion: TokenStream) -> Vec<String> {
     let text = expansion.to_string();
-    let lines = text.split("(not (doc) , doc = \" - `").skip(1);
-    let lines = lines.filter_map(|rest| rest.split_once("`\""));
-    lines.map(|(law, _)| law.to_owned()).collect()
+    let (_, rest) = text
+        .split_once("(not (doc) , doc = \"")
+        .expect("a text for editors");
+    let (lines, _) = rest.split_once('"').expect("its end");
+    let lines = lines.split("\\n - `").skip(1);
+    lines
+        .map(|law| law.trim_end_matches('`').to_owned())
+        .collect()
 }
 
 #[test]

@@ -96,10 +96,9 @@ fn lines(
     };
     let title = title.iter().map(|line| spaced(line));
     let in_text = laws_in_text(&report.laws);
-    let in_text = in_text.iter().map(|law| format!(" - `{law}`"));
-    let laws = laws_on_page(&report.laws).into_iter();
-    let statements = statements_on_page(text).into_iter();
-    let text = text.iter().map(|line| spaced(line));
+    let in_text = in_text.iter().map(|law| format!("\n - `{law}`"));
+    let in_text: String = in_text.collect();
+    let page = page(text, report);
     let costs: Vec<String> = costs
         .iter()
         .map(|(name, _, cost)| format!("`{name}`: {}", describe(*cost)))
@@ -110,18 +109,28 @@ fn lines(
     let skipped = listed("Skipped", &report.skipped);
     quote! {
         #(#[doc = #title])*
-        #(#[cfg_attr(doc, doc = "", doc = "# Laws", doc = "", doc = #laws, doc = "")])*
-        #[cfg_attr(not(doc), doc = "")]
-        #(#[cfg_attr(not(doc), doc = #in_text)])*
-        #(#[cfg_attr(doc, doc = "# Equations", doc = "", doc = #statements, doc = "")])*
-        #[cfg_attr(doc, doc = "<details><summary>Statements as computed</summary>", doc = "")]
-        #[cfg_attr(doc, doc = "```text")]
-        #(#[cfg_attr(doc, doc = #text)])*
-        #[cfg_attr(doc, doc = "```", doc = "", doc = "</details>", doc = "")]
+        #[cfg_attr(not(doc), doc = #in_text)]
+        #[cfg_attr(doc, doc = #page)]
         #(#[doc = #lists])*
         #(#[doc = #operations])*
         #(#[doc = #skipped])*
     }
+}
+
+/// What only rustdoc shows: laws and equations as `MathML`, and the statements as computed.
+fn page(text: &[String], report: &Report) -> String {
+    let headed = |heading: &str, content: Option<String>| {
+        content.map_or_else(String::new, |content| {
+            format!("\n# {heading}\n\n{content}\n")
+        })
+    };
+    let laws = headed("Laws", laws_on_page(&report.laws));
+    let equations = headed("Equations", statements_on_page(text));
+    let statements = text.join("\n");
+    format!(
+        "{laws}{equations}\n<details><summary>Statements as computed</summary>\n\n```text\n\
+         {statements}\n```\n\n</details>\n"
+    )
 }
 
 /// The method and the tolerance of `integrate`.

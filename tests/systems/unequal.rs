@@ -8,6 +8,8 @@
 
 use newton_euler::prelude::*;
 
+use super::compare::{Jointed, Listed, Random, close};
+
 struct Case {
     name: &'static str,
     masses: [f64; 5],
@@ -146,5 +148,59 @@ fn unequal_masses() {
         for off in all {
             assert!(off < bound, "{}: {off:.1e}, {bound:.1e}", case.name);
         }
+    }
+}
+
+macro_rules! on_a_plane {
+    ($name:ident $mass:literal $j_1:literal $j_2:literal) => {
+        rigid_system!($name {
+            bodies: [plate {
+                mass: $mass,
+                inertia: principal($j_1, $j_2, $j_1)[kg * m ^ 2],
+                points: [foot = (-0.1[m], 0, 0)],
+            }],
+            joints: [
+                flight = free(plate),
+                table = planar(world(1[m], -0.6[m], 0.8[m]), plate.foot, body(0, -1, 0))
+                    .turned(body(0, 0, 1), -1.2[rad])
+                    .turned(body(0, 1, 0), -0.3[rad]),
+            ],
+            fields: [weight = mass * world(1, 2, 3)[m / s ^ 2]],
+        });
+    };
+}
+
+on_a_plane!(Heavy 2 0.5 0.625);
+on_a_plane!(Light 0.0009765625 0.000244140625 0.00030517578125);
+
+/// Under weight alone, a body moves like one of 2048 times its mass, which no coefficient of its
+/// equations exceeds.
+#[test]
+fn a_light_body_on_a_plane_moves_like_a_heavy_one() {
+    let mut numbers = Random::new(3);
+    for _ in 0..10 {
+        let flight = Spatial::random(&mut numbers);
+        let mut heavy = HeavyState { flight };
+        Heavy::default().project(0.0, &mut heavy, &()).unwrap();
+        let light = LightState {
+            flight: heavy.flight,
+        };
+        let expected = Heavy::default().acceleration(0.0, &heavy, &()).flight;
+        let found = Light::default().acceleration(0.0, &light, &()).flight;
+        assert!(expected.linear.norm() > 0.1);
+        close(
+            "linear",
+            &found.linear.list(),
+            &expected.linear.list(),
+            10.0,
+            1e-13,
+        );
+        close(
+            "angular",
+            &found.angular.list(),
+            &expected.angular.list(),
+            10.0,
+            1e-13,
+        );
     }
 }

@@ -15,7 +15,12 @@ impl System<'_> {
         for (change, column) in changes.iter_mut().zip(&open) {
             change[*column] = self.graph.one();
         }
-        for step in self.order() {
+        let order = self.order();
+        // steps that wait for each other would be a defect: better no value than a wrong one
+        for step in (0..self.steps.len()).filter(|step| !order.contains(step)) {
+            values[self.steps[step].column] = self.graph.undefined();
+        }
+        for step in order {
             let step = &self.steps[step];
             let row = &self.rows[step.row];
             let of_others = |graph: &mut Graph, values: &[Id], right: Id| {
@@ -52,7 +57,8 @@ impl System<'_> {
         }
     }
 
-    /// The steps, each after those whose unknowns it reads, otherwise in their order.
+    /// The steps, each after those whose unknowns it reads, otherwise in their order; without those
+    /// that wait for each other.
     fn order(&self) -> Vec<usize> {
         let reads = |step: &usize, other: &usize| {
             let coefficients = &self.rows[self.steps[*step].row].coefficients;

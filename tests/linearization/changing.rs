@@ -3,6 +3,14 @@
 use newton_euler::linearization::TrimError;
 use newton_euler::prelude::*;
 
+/// The states that an error advises to let change.
+fn drifting(error: &TrimError) -> Vec<&'static str> {
+    match error {
+        TrimError::Drifting { states, .. } => states.iter().flatten().copied().collect(),
+        _ => Vec::new(),
+    }
+}
+
 rigid_body!(Copter {
     doc: "Its battery runs down, and with it the thrust.",
     motion: planar_translation,
@@ -39,7 +47,23 @@ fn a_battery_runs_down_in_steady_flight() {
     assert_eq!(hover.undetermined, 0);
     // without, nothing but an empty battery is steady
     let error = search().solve().err().unwrap();
-    assert!(matches!(error, TrimError::Unbalanced { .. }), "{error}");
+    assert_eq!(drifting(&error), ["charge"], "{error}");
+    let text = error.to_string();
+    let advice = "; whatever the inputs, states change: add `.changing([\"charge\"])`";
+    assert!(
+        text.starts_with("not steady: `") && text.ends_with(advice),
+        "{text}"
+    );
+    // it is said before what is held is freed: no command makes up for it
+    let error = copter.trim(&start).free(["duty"]).solve().err().unwrap();
+    assert_eq!(drifting(&error), ["charge"], "{error}");
+    // with it, the held command is told
+    let search = || copter.trim(&start).free(["duty"]).changing(["charge"]);
+    let error = search().solve().err().unwrap();
+    let TrimError::Unbalanced { held, .. } = error else {
+        panic!("{error}");
+    };
+    assert_eq!(held, [Some("command"), None, None], "{error}");
     // a full throttle, in a climb that slows down: its velocity is changing, too
     let full = CopterInput { command: 0.95 };
     let climb = copter.trim(&start).input(&full).free(["duty"]);
@@ -50,4 +74,45 @@ fn a_battery_runs_down_in_steady_flight() {
         let error = search().changing([name]).solve().err().unwrap();
         assert_eq!(error, TrimError::Unknown { name });
     }
+}
+
+rigid_body!(Balloon {
+    doc: "It burns its fuel and leaks, and its burner wears out: each at a rate that never vanishes.",
+    motion: planar_translation,
+    inputs: [flame[rad]],
+    states: [heat[K], fuel[kg], age, filter[N]],
+    rates: [
+        heat = 40[K / s] * flame.exp() - 0.3[1 / s] * heat,
+        fuel = -2e-3[kg / s] * flame.exp(),
+        age = (1 + age.powi(2)) / 3600[s],
+        filter = (pull - filter) / 0.5[s],
+    ],
+    locals: [pull = 0.05[N / K] * heat],
+    mass: 3[kg] + fuel,
+    fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+    forces: [lift = world(0, filter)],
+    outputs: [linearization],
+});
+
+#[test]
+fn all_that_runs_down_is_named() {
+    let balloon = Balloon::default();
+    let start = BalloonState {
+        heat: 500.0,
+        fuel: 2.0,
+        filter: 30.0,
+        ..BalloonState::default()
+    };
+    let search = || balloon.trim(&start).free(["heat", "filter", "flame"]);
+    let error = search().solve().err().unwrap();
+    assert_eq!(drifting(&error), ["fuel", "age"], "{error}");
+    assert!(size_of_val(&error) <= 128);
+    let level = search().changing(["fuel", "age"]).solve().unwrap();
+    let heat = 5.0 * 9.81 / 0.05;
+    assert!((level.state.heat / heat - 1.0).abs() < 1e-14);
+    assert!((level.input.flame - (0.3 * heat / 40.0_f64).ln()).abs() < 1e-14);
+    // what nothing balances is not said to change
+    let search = balloon.trim(&start).free(["flame"]);
+    let error = search.solve().err().unwrap();
+    assert!(drifting(&error).is_empty(), "{error}");
 }

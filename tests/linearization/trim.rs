@@ -146,7 +146,9 @@ fn what_is_missing_is_told() {
     assert!(size_of_val(&error) <= 128);
     let text = error.to_string();
     assert!(
-        text.starts_with("not steady: `velocity_z` is off by -9.80665e0; free also one of `thrust"),
+        text.starts_with(
+            "not steady: `velocity_z` is off by -9.80665e0; free also some of `thrust"
+        ),
         "{text}"
     );
     // one rotor turns it over

@@ -14,25 +14,18 @@
 //! An attitude has three coordinates, and `e' = dw - w × e`. The unit vector along the axis of a
 //! rod also has three; there x is perpendicular to the axis.
 
-mod conditions;
 mod coordinated;
-mod here;
-mod least_change;
 mod matrices;
 mod modes;
 mod orthogonal;
 mod place;
 mod sensitivity;
-mod steady;
 mod tangent;
 mod trim;
-mod trim_error;
 
-pub use conditions::{Condition, Conditions};
 pub use coordinated::Coordinated;
 pub use matrices::{Linearization, Linearized, place, rates_of_places};
 pub use modes::{Mode, Modes};
 pub use place::Place;
 pub use sensitivity::{ByParams, Sensitivity};
-pub use trim::{Search, Trim, Trimmed};
-pub use trim_error::{Off, TrimError};
+pub use trim::{Condition, Conditions, Off, Search, Trim, TrimError, Trimmed};

@@ -9,7 +9,7 @@ pub const FEW: usize = 3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Off {
     /// The coordinate that accelerates, by its name in
-    /// [`Linearized::STATES`](super::Linearized::STATES); or the violated condition or
+    /// [`Linearized::STATES`](crate::linearization::Linearized::STATES); or the violated condition or
     /// constraint.
     pub name: &'static str,
     /// Its rate, or the size of the violation, SI units.
@@ -39,9 +39,17 @@ pub enum TrimError {
     Unbalanced {
         /// The residual, the worst first.
         residual: [Option<Off>; FEW],
-        /// Held quantities that would reduce it if they were free, the most effective first; none
-        /// if nothing does.
+        /// Held inputs that make the motion steady if they are free; if inputs do not, quantities
+        /// that reduce the residual to first order. The most effective first; none if nothing does.
         held: [Option<&'static str>; FEW],
+    },
+    /// Whatever the inputs, these user-defined states change where the rest is steady, as fuel
+    /// that burns or a battery that is drained: make them [`changing`](super::Search::changing).
+    Drifting {
+        /// The residual, the worst first.
+        residual: [Option<Off>; FEW],
+        /// The states.
+        states: [Option<&'static str>; FEW],
     },
     /// The free quantities could reduce the residual further, but the steps did not converge: try a
     /// closer start.
@@ -69,14 +77,27 @@ impl fmt::Display for TrimError {
             Self::Unbalanced { residual, held } => {
                 f.write_str("not steady")?;
                 left_over(f, residual)?;
+                let several = if held[1].is_some() { " some of" } else { "" };
                 for (number, name) in held.iter().flatten().enumerate() {
-                    let before = if number == 0 { "; free also one of" } else { "," };
-                    write!(f, "{before} `{name}`")?;
+                    match number {
+                        0 => write!(f, "; free also{several} `{name}`")?,
+                        _ => write!(f, ", `{name}`")?,
+                    }
                 }
                 if held[0].is_none() {
                     f.write_str("; to first order, nothing changes that")?;
                 }
                 Ok(())
+            }
+            Self::Drifting { residual, states } => {
+                f.write_str("not steady")?;
+                left_over(f, residual)?;
+                f.write_str("; whatever the inputs, states change: add `.changing([")?;
+                for (number, name) in states.iter().flatten().enumerate() {
+                    let before = if number == 0 { "" } else { ", " };
+                    write!(f, "{before}{name:?}")?;
+                }
+                f.write_str("])`")
             }
             Self::NotConverged { residual } => {
                 f.write_str("no steady motion was found from this start")?;

@@ -1,10 +1,10 @@
 //! The current point of a search for a steady motion: its equations, and their residuals.
 
 use super::conditions::Conditions;
-use super::coordinated::Coordinated;
+use super::error::{FEW, Off};
 use super::least_change::{Change, Equation, Least, least_change};
 use super::steady::{About, Asked, Steady};
-use super::trim_error::{FEW, Off};
+use crate::bodies::linearization::coordinated::Coordinated;
 
 /// A residual of an equation is a failure above this fraction of the terms of its sum. The steps
 /// continue to rounding in any case: this number decides only whether they succeeded.
@@ -68,6 +68,18 @@ impl<B: Coordinated<N, M>, const N: usize, const M: usize> Here<B, N, M> {
             }
         });
         least_change(scaled, free)
+    }
+
+    /// The largest effect of each quantity on an equation.
+    pub fn effects(&self) -> Change<N, M> {
+        let mut effects = Change::zero();
+        let rows = self.about.rows.list().iter().zip(self.sizes.as_flattened());
+        for (row, size) in rows {
+            for (effect, entry) in effects.iter_mut().zip(row.equation.by.iter()) {
+                *effect = effect.max(relative(entry, *size));
+            }
+        }
+        effects
     }
 
     /// The equations that are off most.

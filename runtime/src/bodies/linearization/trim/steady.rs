@@ -5,12 +5,12 @@ use core::ops::Range;
 use nalgebra::{SMatrix, SVector, Vector3};
 
 use super::conditions::Conditions;
-use super::coordinated::Coordinated;
 use super::least_change::{Change, Equation};
-use super::matrices::Linearized;
-use super::place::Place;
-use super::tangent;
 use crate::bodies::constrained::Violation;
+use crate::bodies::linearization::coordinated::Coordinated;
+use crate::bodies::linearization::matrices::Linearized;
+use crate::bodies::linearization::place::Place;
+use crate::bodies::linearization::tangent;
 
 /// The conditions of a steady motion.
 pub struct Steady<'b, B, C, const N: usize> {

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::orthogonal::{Turning, orthogonalize};
+use crate::bodies::linearization::orthogonal::{Turning, orthogonalize};
 
 /// A change of state and input; for an equation, its derivatives.
 #[derive(Clone, Copy, Debug)]

@@ -2,18 +2,17 @@
 
 use core::ops::ControlFlow;
 
-use nalgebra::allocator::Allocator;
-use nalgebra::{Const, DefaultAllocator, DimDiff, DimSub, SMatrix, SVector, U1, Vector3};
+use nalgebra::{SMatrix, Vector3};
 
 use super::conditions::{Condition, Conditions};
-use super::coordinated::Coordinated;
+use super::error::{FEW, TrimError};
 use super::here::{Here, TOLERANCE, few};
 use super::least_change::Change;
-use super::matrices::Linearized;
-use super::modes::{Modes, restricted};
 use super::steady::{About, Steady};
-use super::tangent;
-use super::trim_error::TrimError;
+use super::trimmed::Trimmed;
+use crate::bodies::linearization::coordinated::Coordinated;
+use crate::bodies::linearization::matrices::Linearized;
+use crate::bodies::linearization::tangent;
 
 /// Steady motions and equilibria of bodies and systems with `outputs: [linearization]`.
 ///
@@ -192,8 +191,8 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
     /// Runs Newton's method, with steps that are halved until they reduce the residual.
     ///
     /// # Errors
-    /// [`TrimError`]: the residual, and which quantities would have to be free.
-    pub fn solve(self) -> Result<Trimmed<B, N, M>, TrimError>
+    /// [`TrimError`]: the residual, and which quantities would have to be free or changing.
+    pub fn solve(mut self) -> Result<Trimmed<B, N, M>, TrimError>
     where
         C: Conditions<B::State, B::Input>,
     {
@@ -203,28 +202,44 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         if self.steady.turning.is_some() && !B::PLACES.iter().any(|place| place.turns()) {
             return Err(TrimError::NothingTurns);
         }
-        let mut here = Here::of(&self.steady, self.state.clone(), self.input);
-        if here.about.rows.is_full() || here.about.kept.len() > N {
+        let start = self.start();
+        if start.about.rows.is_full() || start.about.kept.len() > N {
             return Err(TrimError::TooMany);
         }
-        if !here.worst.is_finite() {
+        if !start.worst.is_finite() {
             let Steady { body, time, .. } = self.steady;
-            let load = body.lost_load(time, &here.state, &B::input(here.input));
+            let load = body.lost_load(time, &start.state, &B::input(start.input));
             return Err(TrimError::NotFinite { load });
         }
+        let end = self.nearest(start);
+        if end.worst <= TOLERANCE {
+            return Ok(self.trimmed(end));
+        }
+        Err(self.lacking(&end))
+    }
+
+    fn start(&self) -> Here<B, N, M>
+    where
+        C: Conditions<B::State, B::Input>,
+    {
+        Here::of(&self.steady, self.state.clone(), self.input)
+    }
+
+    /// Where the steps end.
+    fn nearest(&self, mut here: Here<B, N, M>) -> Here<B, N, M>
+    where
+        C: Conditions<B::State, B::Input>,
+    {
         for _ in 0..STEPS {
             if here.worst <= 4.0 * f64::EPSILON {
                 break;
             }
             match self.step(here) {
                 ControlFlow::Continue(nearer) => here = nearer,
-                ControlFlow::Break(last) => {
-                    here = last;
-                    break;
-                }
+                ControlFlow::Break(last) => return last,
             }
         }
-        self.end(here)
+        here
     }
 
     /// A step that reduces the residual; or the end, if there is none.
@@ -255,28 +270,56 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         ControlFlow::Break(here)
     }
 
-    fn end(&self, here: Here<B, N, M>) -> Result<Trimmed<B, N, M>, TrimError> {
+    fn trimmed(&self, here: Here<B, N, M>) -> Trimmed<B, N, M> {
         let least = here.least(&self.free);
-        if here.worst <= TOLERANCE {
-            let About {
-                rows, kept, matrix, ..
-            } = &here.about;
-            let mut constraints = SMatrix::<f64, N, N>::zeros();
-            for (to, row) in rows.list()[kept.clone()].iter().enumerate() {
-                constraints.set_row(to, &row.equation.by.state.transpose());
-            }
-            let free = self.free.iter().filter(|free| *free > 0.0).count();
-            return Ok(Trimmed {
-                state: here.state,
-                input: B::input(here.input),
-                matrix: *matrix,
-                rate: here.about.rate,
-                constraints,
-                undetermined: free - least.rank,
-                linearization: here.about.linearization,
-            });
+        let About {
+            rows, kept, matrix, ..
+        } = &here.about;
+        let mut constraints = SMatrix::<f64, N, N>::zeros();
+        for (to, row) in rows.list()[kept.clone()].iter().enumerate() {
+            constraints.set_row(to, &row.equation.by.state.transpose());
         }
+        let free = self.free.iter().filter(|free| *free > 0.0).count();
+        Trimmed {
+            state: here.state,
+            input: B::input(here.input),
+            matrix: *matrix,
+            rate: here.about.rate,
+            constraints,
+            undetermined: free - least.rank,
+            linearization: here.about.linearization,
+        }
+    }
+
+    /// Why the steps ended here, and what to do: to free inputs, if that helps, or to let states
+    /// change, or else what helps to first order.
+    fn lacking(&mut self, end: &Here<B, N, M>) -> TrimError
+    where
+        C: Conditions<B::State, B::Input>,
+    {
+        let residual = end.residual();
+        let missing = self.missing(end);
+        let given = self.free.input;
+        self.free.input.fill(1.0);
+        let there = self.nearest(self.start());
+        if there.worst <= TOLERANCE {
+            let effects = there.effects();
+            let inputs = <B::Linearization as Linearized<N, M>>::INPUTS;
+            let changes = (0..M).map(|i| {
+                let change = (there.input[i] - self.input[i]).abs() * (1.0 - given[i]);
+                (inputs[i], change * effects.input[i])
+            });
+            let held = few(changes);
+            return TrimError::Unbalanced { residual, held };
+        }
+        self.drifting()
+            .map_or(missing, |states| TrimError::Drifting { residual, states })
+    }
+
+    /// What the free quantities lack, to first order.
+    fn missing(&self, here: &Here<B, N, M>) -> TrimError {
         let residual = here.residual();
+        let least = here.least(&self.free);
         // a solution that needs large rotations is not found
         let mut free = self.free;
         for (place, kind) in B::PLACES.iter().enumerate() {
@@ -286,13 +329,47 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         }
         let least = here.least(&free);
         if least.left < 0.1 * here.merit(&here.sizes) {
-            return Err(TrimError::NotConverged { residual });
+            return TrimError::NotConverged { residual };
         }
         let states = <B::Linearization as Linearized<N, M>>::STATES;
         let inputs = <B::Linearization as Linearized<N, M>>::INPUTS;
         let names = states.into_iter().chain(inputs);
         let held = few(names.zip(least.helps.iter()));
-        Err(TrimError::Unbalanced { residual, held })
+        TrimError::Unbalanced { residual, held }
+    }
+
+    /// The user-defined states without whose equations the motion is steady; all of these are needed.
+    /// Those that are held come first: nothing but their equations was asked of the free ones.
+    fn drifting(&mut self) -> Option<[Option<&'static str>; FEW]>
+    where
+        C: Conditions<B::State, B::Input>,
+    {
+        let (free, changing) = (self.free.state, self.steady.changing);
+        let own = |is_free: bool| {
+            let rows = 2 * B::PLACES.len()..N;
+            rows.filter(move |row| !changing[*row] && (free[*row] > 0.0) == is_free)
+        };
+        let own = own(true).chain(own(false));
+        for row in own.clone() {
+            self.steady.changing[row] = true;
+        }
+        if !self.is_solved() {
+            return None;
+        }
+        let needed = own.filter(|row| {
+            self.steady.changing[*row] = false;
+            self.steady.changing[*row] = !self.is_solved();
+            self.steady.changing[*row]
+        });
+        let states = <B::Linearization as Linearized<N, M>>::STATES;
+        Some(few(needed.map(|row| (states[row], 1.0))))
+    }
+
+    fn is_solved(&self) -> bool
+    where
+        C: Conditions<B::State, B::Input>,
+    {
+        self.nearest(self.start()).worst <= TOLERANCE
     }
 }
 
@@ -310,45 +387,3 @@ const HALVINGS: usize = 40;
 
 /// The largest angle of a step \[rad\]: beyond it, sines are far from linear.
 const TURN: f64 = 1.0;
-
-/// A steady motion.
-#[derive(Clone, Copy, Debug)]
-pub struct Trimmed<B: Coordinated<N, M>, const N: usize, const M: usize> {
-    /// The state, with the free quantities solved for.
-    pub state: B::State,
-    /// The input, likewise.
-    pub input: B::Input,
-    /// The linearization there, as given by [`linearize`](super::Linearization::linearize).
-    pub linearization: B::Linearization,
-    /// The number of ways to change the free quantities without leaving the steady motions, to
-    /// first order: zero if the solution is isolated.
-    pub undetermined: usize,
-    matrix: SMatrix<f64, N, N>,
-    rate: SVector<f64, N>,
-    constraints: SMatrix<f64, N, N>,
-}
-
-impl<B: Coordinated<N, M>, const N: usize, const M: usize> Trimmed<B, N, M> {
-    /// The modes of small motions about the steady one, as seen in axes that turn with it; under
-    /// constraints only the possible ones. `None` if the derivatives are not finite.
-    #[must_use]
-    pub fn modes(&self) -> Option<Modes<N>>
-    where
-        Const<N>: DimSub<U1>,
-        DefaultAllocator:
-            Allocator<Const<N>, DimDiff<Const<N>, U1>> + Allocator<DimDiff<Const<N>, U1>>,
-    {
-        let (matrix, size) = restricted(&self.matrix, &self.constraints);
-        Modes::of(&matrix, size)
-    }
-
-    /// The rates of the accelerations along the motion, in the order of the rates in
-    /// [`Linearized::STATES`]. The motion stays steady if they are zero. They are not for a climb
-    /// through air of decreasing density, or a turn about an axis that is not vertical.
-    #[must_use]
-    pub fn drift(&self) -> SVector<f64, N> {
-        let mut drift = self.matrix * self.rate;
-        drift.rows_mut(0, B::PLACES.len()).fill(0.0);
-        drift
-    }
-}

@@ -50,7 +50,7 @@ impl System<'_> {
         if a.times(d).minus(&b.times(c)).may_vanish() {
             return false;
         }
-        let of = |column: usize| rows.map(|row| self.rows[row].coefficients[column]);
+        let of = |column: usize| rows.map(|row| self.coefficient(row, column));
         let sides: Vec<[Id; 2]> = solved.iter().map(|column| of(*column)).collect();
         let right = rows.map(|row| self.rows[row].right);
         let [[a, c], [b, d]] = columns.map(of);

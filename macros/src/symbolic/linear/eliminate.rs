@@ -40,14 +40,7 @@ impl Kind {
 const LARGE: i64 = 1000;
 
 impl Graph {
-    pub fn solve(&mut self, mut rows: Vec<Equation>, unknowns: usize) -> Elimination {
-        for row in &mut rows {
-            for (coefficient, sample) in row.coefficients.iter_mut().zip(&row.sample) {
-                if sample.is_zero() {
-                    *coefficient = self.zero();
-                }
-            }
-        }
+    pub fn solve(&mut self, rows: Vec<Equation>, unknowns: usize) -> Elimination {
         let mut system = System {
             graph: self,
             written: rows.iter().map(|row| row.coefficients.clone()).collect(),

@@ -90,12 +90,14 @@ impl System<'_> {
         solved: &[usize],
     ) -> bool {
         let vector = |column: &usize| {
-            let rows = rows.iter().map(|row| &self.rows[*row]);
-            rows.map(|row| Entry(row.coefficients[*column], row.sample[*column].clone()))
-                .collect()
+            let rows = rows.iter().map(|row| {
+                let sample = self.rows[*row].sample[*column].clone();
+                Entry(self.coefficient(*row, *column), sample)
+            });
+            rows.collect()
         };
         let vectors: Vec<Vec<Entry>> = columns.iter().map(vector).collect();
-        let of = |row: &usize, column: &usize| self.rows[*row].coefficients[*column];
+        let of = |row: &usize, column: &usize| self.coefficient(*row, *column);
         let sides = solved.iter();
         let mut sides: Vec<Vec<Id>> = sides
             .map(|column| rows.iter().map(|row| of(row, column)).collect())

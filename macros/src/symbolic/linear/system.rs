@@ -73,6 +73,15 @@ impl System<'_> {
         !self.rows[row].sample[column].is_zero()
     }
 
+    /// A coefficient, which is zero if it vanishes in all states.
+    pub(super) fn coefficient(&self, row: usize, column: usize) -> Id {
+        if self.is_there(row, column) {
+            self.rows[row].coefficients[column]
+        } else {
+            self.graph.zero()
+        }
+    }
+
     /// Solves a row for an unknown, which is eliminated from the others.
     pub(super) fn eliminate(&mut self, row: usize, column: usize) {
         let divisor = self.rows[row].coefficients[column];

@@ -9,7 +9,7 @@
 //! A coefficient that depends on the state, or on parameters, may be zero although the equations
 //! are regular; their determinant is not. It is compared with the larger of its products, so a
 //! determinant that is nothing but rounding is not used. Determinants of more equations lose
-//! digits: see [`super::orthogonal`].
+//! digits: see [`super::larger`].
 
 use crate::symbolic::graph::Id;
 use crate::symbolic::number::Function;
@@ -40,7 +40,7 @@ impl System<'_> {
                 is_regular
             }
             (&[first, second], &[x, y]) => self.solve_pair([first, second], [x, y], &solved),
-            _ => self.solve_orthogonal(&rows, &columns, &solved),
+            _ => self.solve_larger(&rows, &columns, &solved),
         }
     }
 

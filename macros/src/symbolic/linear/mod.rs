@@ -3,6 +3,8 @@
 mod blocks;
 mod determinant;
 mod eliminate;
+mod inverse;
+mod larger;
 mod orthogonal;
 mod sizes;
 mod system;

@@ -1,6 +1,6 @@
-//! Larger sets of equations solved at once: their columns are made orthogonal, one after another,
-//! and the right sides with them (modified Gram-Schmidt process; A. Bjoerck, "Solving linear least
-//! squares problems by Gram-Schmidt orthogonalization", BIT 7, 1967).
+//! Equations whose columns are made orthogonal, one after another, and the right sides with them
+//! (modified Gram-Schmidt process; A. Bjoerck, "Solving linear least squares problems by
+//! Gram-Schmidt orthogonalization", BIT 7, 1967).
 //!
 //! ```text
 //! A = Q R,  q_i . q_j = 0:    R x = y,  y_i = q_i . b / q_i . q_i,  b less y_i q_i for the next
@@ -27,15 +27,15 @@ use super::system::System;
 
 /// An expression, and its value at the random state.
 #[derive(Clone)]
-struct Entry(Id, Sample);
+pub(super) struct Entry(pub Id, pub Sample);
 
 impl Entry {
-    fn nothing(graph: &Graph, sample: &Sample) -> Self {
+    pub(super) fn nothing(graph: &Graph, sample: &Sample) -> Self {
         Self(graph.zero(), sample.nothing())
     }
 
     /// `a - factor * b`
-    fn less(&self, graph: &mut Graph, factor: &Self, b: &Self) -> Self {
+    pub(super) fn less(&self, graph: &mut Graph, factor: &Self, b: &Self) -> Self {
         let sample = self.1.minus(&factor.1.times(&b.1));
         if sample.is_zero() {
             return Self::nothing(graph, &sample);
@@ -48,11 +48,11 @@ impl Entry {
 
 /// Equations in triangular form: `x_k + sum of factors[k][j] x_j = sides[k]`, j after k.
 #[derive(Default)]
-struct Triangle {
-    factors: Vec<Vec<Entry>>,
-    sides: Vec<Vec<Id>>,
-    /// The reciprocals of the lengths of columns.
-    inverses: Vec<Id>,
+pub(super) struct Triangle {
+    pub factors: Vec<Vec<Entry>>,
+    pub sides: Vec<Vec<Id>>,
+    /// The guarded reciprocals of the lengths of columns, unless these are numbers.
+    pub inverses: Vec<Option<Id>>,
 }
 
 impl Triangle {
@@ -68,7 +68,7 @@ impl Triangle {
     }
 
     /// The multiples of the columns so far that come closest to a later column.
-    fn solve(&self, graph: &mut Graph, column: usize) -> Vec<Entry> {
+    pub(super) fn solve(&self, graph: &mut Graph, column: usize) -> Vec<Entry> {
         let factors = self.factors.iter().map(|factors| factors[column].clone());
         let mut values: Vec<Entry> = factors.collect();
         for k in (0..values.len()).rev() {
@@ -81,87 +81,8 @@ impl Triangle {
 }
 
 impl System<'_> {
-    /// Solves these rows for these columns, unless they may be dependent on some branch. `solved`
-    /// are unknowns that are solved for already and still on the left.
-    pub(super) fn solve_orthogonal(
-        &mut self,
-        rows: &[usize],
-        columns: &[usize],
-        solved: &[usize],
-    ) -> bool {
-        let vector = |column: &usize| {
-            let rows = rows.iter().map(|row| {
-                let sample = self.rows[*row].sample[*column].clone();
-                Entry(self.coefficient(*row, *column), sample)
-            });
-            rows.collect()
-        };
-        let vectors: Vec<Vec<Entry>> = columns.iter().map(vector).collect();
-        let of = |row: &usize, column: &usize| self.coefficient(*row, *column);
-        let sides = solved.iter();
-        let mut sides: Vec<Vec<Id>> = sides
-            .map(|column| rows.iter().map(|row| of(row, column)).collect())
-            .collect();
-        sides.push(rows.iter().map(|row| self.rows[*row].right).collect());
-        let Some(triangle) = self.solved_early(&vectors, &sides) else {
-            return false;
-        };
-        for (place, (row, column)) in rows.iter().zip(columns).enumerate() {
-            let equation = &mut self.rows[*row];
-            equation.coefficients.fill(self.graph.zero());
-            let factors = triangle.factors[place].iter().map(|factor| factor.0);
-            let factors = columns.iter().copied().zip(factors);
-            let sides = triangle.sides[place].iter().copied();
-            let sides = solved.iter().copied().zip(sides);
-            for (other, coefficient) in factors.chain(sides) {
-                equation.coefficients[other] = coefficient;
-            }
-            equation.right = triangle.sides[place][solved.len()];
-            self.pivots.push((*column, triangle.inverses[place]));
-            let one = self.graph.one();
-            self.give(*row, *column, one);
-        }
-        true
-    }
-
-    /// The triangle. If all coefficients are known early, so is their inverse, and the triangle is
-    /// solved.
-    fn solved_early(&mut self, vectors: &[Vec<Entry>], sides: &[Vec<Id>]) -> Option<Triangle> {
-        let count = vectors.len();
-        let mut entries = vectors.iter().flatten();
-        if !entries.all(|entry| self.graph.is_early(entry.0)) {
-            return self.triangle(vectors.to_vec(), count, sides.to_vec());
-        }
-        let weights = self.weights(vectors)?;
-        let nothing = Entry::nothing(self.graph, &weights[0].1);
-        let one = Entry(self.graph.one(), weights[0].1.over(&weights[0].1));
-        let units = (0..count).map(|own| {
-            let mut unit = vec![nothing.clone(); count];
-            unit[own] = one.clone();
-            unit
-        });
-        let beside = vectors.iter().cloned().chain(units).collect();
-        let mut triangle = self.triangle(beside, count, Vec::new())?;
-        let inverse: Vec<Vec<Entry>> = (count..2 * count)
-            .map(|unit| triangle.solve(self.graph, unit))
-            .collect();
-        triangle.factors = vec![vec![nothing; count]; count];
-        triangle.sides = (0..count)
-            .map(|k| {
-                let sums = sides.iter().map(|side| {
-                    let parts = inverse.iter().zip(side);
-                    let parts = parts.map(|(of, side)| self.graph.multiply(of[k].0, *side));
-                    let parts: Vec<Id> = parts.collect();
-                    self.graph.sum(&parts)
-                });
-                sums.collect()
-            })
-            .collect();
-        Some(triangle)
-    }
-
     /// The first `count` vectors are the columns.
-    fn triangle(
+    pub(super) fn triangle(
         &mut self,
         mut vectors: Vec<Vec<Entry>>,
         count: usize,
@@ -176,10 +97,16 @@ impl System<'_> {
             if square.1.may_vanish() {
                 return None;
             }
-            let length = self.graph.apply(Function::Sqrt, &[square.0]);
-            let parts = triangle.parts(self.graph, &lengths, k);
-            let inverse = self.graph.checked_reciprocal(length, parts);
-            let weighted = self.weighted(&weights, &own, inverse);
+            let (inverse_square, inverse) = if self.graph.as_number(square.0).is_some() {
+                let one = self.graph.one();
+                (self.graph.divide(one, square.0), None)
+            } else {
+                let length = self.graph.apply(Function::Sqrt, &[square.0]);
+                let parts = triangle.parts(self.graph, &lengths, k);
+                let inverse = self.graph.checked_reciprocal(length, parts);
+                (self.graph.square(inverse), Some(inverse))
+            };
+            let weighted = self.weighted(&weights, &own, inverse_square);
             let mut factors = vec![Entry::nothing(self.graph, &square.1); vectors.len()];
             for (other, vector) in vectors.iter_mut().enumerate().skip(k + 1) {
                 factors[other] = self.make_orthogonal((&weighted, &own), vector, &square.1);
@@ -235,10 +162,9 @@ impl System<'_> {
         sum
     }
 
-    /// `w q / q . q`, with the guarded inverse of the length of q.
-    fn weighted(&mut self, weights: &[Entry], own: &[Entry], inverse: Id) -> Vec<Entry> {
-        let square = self.graph.square(inverse);
-        let square = self.graph.quantity(square);
+    /// `w q / q . q`, by `1 / q . q`.
+    fn weighted(&mut self, weights: &[Entry], own: &[Entry], inverse_square: Id) -> Vec<Entry> {
+        let square = self.graph.quantity(inverse_square);
         let pairs = weights.iter().zip(own);
         pairs
             .map(|(weight, own)| {

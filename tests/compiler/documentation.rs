@@ -271,11 +271,11 @@ fn units_of_fields() {
         forces: [push = world(thrust, 0, 0) + damper * wind + reach * 1[N / m] * turn_rate * 1[s]],
     }));
     for line in [
-        "`flow` in kg / s.",
-        "`damper` in N * s / m.",
-        "`heat` in kg / s.",
-        "`conductance` in W / K.",
-        "`reach` in m, world axes.",
+        "`flow` in kg / s, 1.5 by default.",
+        "`damper` in N * s / m, -2 by default.",
+        "`heat` in kg / s, 0.3 by default.",
+        "`conductance` in W / K, 6 by default.",
+        "`reach` in m, world axes, (1, 0, 0) by default.",
         "`turn_rate` in rad / s.",
         "`turn_acceleration` in rad / s ^ 2.",
         "`wind` in J / (N * s), world axes.",
@@ -283,13 +283,52 @@ fn units_of_fields() {
         "The rate of `thrust` in N / s.",
         "The rate of `work` in J / s.",
         "The rate of `speed` in m / s ^ 2.",
-        "The rate of `share` in no unit.",
+        "The rate of `share` without a unit.",
     ] {
         assert!(
             fields.iter().any(|field| field == line),
             "{line}: {fields:?}"
         );
     }
+}
+
+/// Parameters stand in the documentation of the body and of `new`, with their defaults.
+#[test]
+fn parameters() {
+    let description = quote!(Body {
+        motion: translation,
+        params: [
+            #[doc = " The mass of the hull,"]
+            #[doc = " without fuel."]
+            #[doc = ""]
+            #[doc = " As weighed."]
+            hull = 2[t],
+            wind = world(1e-9, 0, -0.5)[m / s],
+            share = 0.25,
+            drag[N * s / m],
+        ],
+        mass: hull * share,
+        forces: [drag = drag * (wind - velocity)],
+    });
+    let rows = [
+        "`hull` = 2000 kg: The mass of the hull, without fuel.",
+        "`wind` = (1e-9, 0, -0.5) m / s, world axes",
+        "`share` = 0.25",
+        "`drag` in N * s / m",
+    ];
+    let of_body = expand_description(description.clone()).to_string();
+    let list = format!(r#"\n Parameters:\n - {}""#, rows.join(r"\n - "));
+    assert!(of_body.contains(&list), "{of_body}");
+
+    let of_new = pretty(description);
+    let of_new = of_new
+        .split_once("/// Checks the parameters")
+        .expect("`new` is there");
+    let lines = of_new.1.lines().skip(1);
+    let of_new: Vec<&str> = lines
+        .map_while(|line| line.trim_start().strip_prefix("/// - "))
+        .collect();
+    assert_eq!(of_new, rows);
 }
 
 /// A changing mass may vanish, and nothing is said of constraints where there are none.

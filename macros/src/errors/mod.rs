@@ -2,7 +2,10 @@
 
 mod suggestions;
 
-pub use suggestions::{function_meant, hint, hint_of_joint, similar};
+pub use suggestions::{
+    foreign_key_meant, function_meant, hint, hint_of_joint, name_meant, similar,
+    vector_method_meant,
+};
 
 use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, quote_spanned};

@@ -69,8 +69,10 @@ pub fn hint_of_joint(word: &str, known: &[&str]) -> String {
     meant.map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
 }
 
-/// Functions by their names elsewhere.
-const FUNCTIONS: [(&str, &str); 13] = [
+/// Words of other tools, each with the word that means the same here.
+type Elsewhere = [(&'static str, &'static str)];
+
+const FUNCTIONS: &Elsewhere = &[
     ("log", "ln"),
     ("sgn", "signum"),
     ("sign", "signum"),
@@ -86,10 +88,58 @@ const FUNCTIONS: [(&str, &str); 13] = [
     ("ceiling", "ceil"),
 ];
 
+const VECTOR_METHODS: &Elsewhere = &[
+    ("abs", "norm"),
+    ("length", "norm"),
+    ("magnitude", "norm"),
+    ("squared_norm", "norm_squared"),
+    ("unit", "normalize"),
+    ("normalized", "normalize"),
+];
+
+const NAMES: &Elsewhere = &[
+    ("time", "t"),
+    ("angle", "attitude"),
+    ("orientation", "attitude"),
+    ("quaternion", "attitude"),
+    ("omega", "angular_velocity"),
+    ("com", "G"),
+];
+
+const KEYS: &Elsewhere = &[
+    ("gravity", "fields"),
+    ("weight", "fields"),
+    ("springs", "potentials"),
+    ("torque", "moments"),
+    ("torques", "moments"),
+    ("controls", "inputs"),
+    ("variables", "locals"),
+    ("name", "doc"),
+];
+
+fn meant(word: &str, elsewhere: &Elsewhere) -> Option<&'static str> {
+    let mut all = elsewhere.iter();
+    all.find_map(|(there, here)| (*there == word).then_some(*here))
+}
+
 /// The function of scalars or vectors that a word means elsewhere.
 pub fn function_meant(word: &str) -> Option<&'static str> {
-    let mut all = FUNCTIONS.iter();
-    all.find_map(|(elsewhere, here)| (*elsewhere == word).then_some(*here))
+    meant(word, FUNCTIONS)
+}
+
+/// The method of vectors that a word means elsewhere.
+pub fn vector_method_meant(word: &str) -> Option<&'static str> {
+    meant(word, VECTOR_METHODS)
+}
+
+/// The built-in name that a word means elsewhere.
+pub fn name_meant(word: &str) -> Option<&'static str> {
+    meant(word, NAMES)
+}
+
+/// The key that a word means elsewhere.
+pub fn foreign_key_meant(word: &str) -> Option<&'static str> {
+    meant(word, KEYS)
 }
 
 /// `; did you mean ...?`, or nothing.

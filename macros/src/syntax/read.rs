@@ -123,7 +123,7 @@ impl Reader<'_> {
             UnOp::Neg(_) => Prefix::Minus,
             UnOp::Not(_) => Prefix::Not,
             _ => {
-                let message = "there are no references here: write the operand alone";
+                let message = "`*` stands between two factors; a power is written `x.powi(2)`";
                 return self.refuse(unary.op, message);
             }
         };

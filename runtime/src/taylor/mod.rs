@@ -14,6 +14,7 @@ mod arithmetic;
 mod axes;
 mod products;
 mod series;
+mod unrequested;
 
 pub use arithmetic::{Arithmetic, Plain};
 pub use axes::Axes;
@@ -24,15 +25,14 @@ pub(crate) use series::{after, increment, slope};
 /// A body whose motion has Taylor series.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `taylor`",
-    label = "not among the `outputs` of its description",
-    note = "write `outputs: [.., taylor]`"
+    label = "add `taylor` to its `outputs`"
 )]
 pub trait Taylor: RigidBody<Scalar = f64, State: Coordinates> {
     /// The reusable workspace: see [`Products`].
     type Products<A: Arithmetic, const N: usize>: From<A>;
 
-    /// The axes in which [`expand`](Self::expand) works, from a state on, where they are
-    /// along the body axes, for the whole motion.
+    /// The axes in which [`expand`](Self::expand) works for the whole motion from a state on. In
+    /// that state they are along the body axes.
     #[inline]
     #[must_use]
     fn axes(&self, _time: f64, _state: &Self::State) -> Axes {

@@ -30,7 +30,7 @@ mod equations_of_Glider {
     #[allow(clippy::struct_field_names)]
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct GliderParams {
-        /// `drag` in N * m * s ^ 2.
+        /// `drag` in N * m * s ^ 2, 0.02 by default.
         pub drag: f64,
     }
     ::newton_euler::private::record! {
@@ -59,6 +59,7 @@ mod equations_of_Glider {
             "energy, momentum, balance: not in `outputs`",
         ];
         /// Checks the parameters, and computes everything that depends on them alone.
+        /// - `drag` = 0.02 N * m * s ^ 2
         ///
         /// # Errors
         /// A parameter is not finite, or no body can have the resulting mass or inertia.

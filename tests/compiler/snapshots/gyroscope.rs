@@ -26,9 +26,9 @@ mod equations_of_Gyroscope {
     #[allow(clippy::struct_field_names)]
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct GyroscopeParams {
-        /// `rotor` in kg * m ^ 2.
+        /// `rotor` in kg * m ^ 2, 0.0005 by default.
         pub rotor: f64,
-        /// `across` in kg * m ^ 2.
+        /// `across` in kg * m ^ 2, 0.0004 by default.
         pub across: f64,
     }
     ::newton_euler::private::record! {
@@ -58,6 +58,8 @@ mod equations_of_Gyroscope {
             "energy, momentum, balance: not in `outputs`",
         ];
         /// Checks the parameters, and computes everything that depends on them alone.
+        /// - `rotor` = 0.0005 kg * m ^ 2
+        /// - `across` = 0.0004 kg * m ^ 2
         ///
         /// # Errors
         /// A parameter is not finite, or no body can have the resulting mass or inertia.

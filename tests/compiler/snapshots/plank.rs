@@ -26,7 +26,7 @@ mod equations_of_Plank {
     #[allow(clippy::struct_field_names)]
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct PlankParams {
-        /// `length` in m.
+        /// `length` in m, 2 by default.
         pub length: f64,
     }
     ::newton_euler::private::record! {
@@ -74,6 +74,7 @@ mod equations_of_Plank {
             "balance: not in `outputs`",
         ];
         /// Checks the parameters, and computes everything that depends on them alone.
+        /// - `length` = 2 m
         ///
         /// # Errors
         /// A parameter is not finite, or no body can have the resulting mass or inertia.

@@ -26,9 +26,9 @@ mod equations_of_Quadrotor {
     #[allow(clippy::struct_field_names)]
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct QuadrotorParams {
-        /// `arm` in m.
+        /// `arm` in m, 0.17 by default.
         pub arm: f64,
-        /// `drag_ratio` in m.
+        /// `drag_ratio` in m, 0.016 by default.
         pub drag_ratio: f64,
     }
     ::newton_euler::private::record! {
@@ -75,6 +75,8 @@ mod equations_of_Quadrotor {
             "energy, momentum, balance: not in `outputs`",
         ];
         /// Checks the parameters, and computes everything that depends on them alone.
+        /// - `arm` = 0.17 m
+        /// - `drag_ratio` = 0.016 m
         ///
         /// # Errors
         /// A parameter is not finite, or no body can have the resulting mass or inertia.

@@ -26,7 +26,7 @@ mod equations_of_Top {
     #[allow(clippy::struct_field_names)]
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct TopParams<T: ::newton_euler::private::Scalar> {
-        /// `length` in m.
+        /// `length` in m, 0.1 by default.
         pub length: T,
     }
     ::newton_euler::private::record! {
@@ -56,6 +56,7 @@ mod equations_of_Top {
             "energy, momentum, balance: not in `outputs`",
         ];
         /// Checks the parameters, and computes everything that depends on them alone.
+        /// - `length` = 0.1 m
         ///
         /// # Errors
         /// A parameter is not finite, or no body can have the resulting mass or inertia.

@@ -27,7 +27,7 @@ mod equations_of_Towed {
     #[allow(clippy::struct_field_names)]
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct TowedParams {
-        /// `pull` in N.
+        /// `pull` in N, 40 by default.
         pub pull: f64,
     }
     ::newton_euler::private::record! {
@@ -54,6 +54,7 @@ mod equations_of_Towed {
             "energy, momentum, balance: not in `outputs`",
         ];
         /// Checks the parameters, and computes everything that depends on them alone.
+        /// - `pull` = 40 N
         ///
         /// # Errors
         /// A parameter is not finite, or no body can have the resulting mass or inertia.

@@ -6,7 +6,7 @@ use quote::quote;
 use crate::emit::code::{Method, private};
 use crate::emit::page::{laws_in_text, laws_on_page, statements_on_page};
 use crate::mechanics::Report;
-use crate::model::{Declared, Outline};
+use crate::model::{Declared, FrameWord, Outline, shown};
 use crate::symbolic::Cost;
 
 use super::addition::Addition;
@@ -105,12 +105,16 @@ fn lines(
         .collect();
     let lists = report.lists.iter();
     let lists = lists.flat_map(|(heading, rows)| listed(heading, rows));
+    let params = listed("Parameters", &params_rows(outline));
+    let params = (!params.is_empty()).then(|| params.join("\n"));
+    let params = params.into_iter();
     let operations = listed("Operations", &costs);
     let skipped = listed("Skipped", &report.skipped);
     quote! {
         #(#[doc = #title])*
         #[cfg_attr(not(doc), doc = #in_text)]
         #[cfg_attr(doc, doc = #page)]
+        #(#[cfg_attr(doc, doc = #params)])*
         #(#[doc = #lists])*
         #(#[doc = #operations])*
         #(#[doc = #skipped])*
@@ -245,10 +249,6 @@ fn constants(
 
 /// The documentation of a field: what the description says, its unit, axes and default.
 pub fn declared_doc(declared: &Declared) -> String {
-    let axes = match declared.frame {
-        Some(frame) => format!(", {} axes", frame.text()),
-        None => String::new(),
-    };
     let moving = if declared.moves {
         ", at the time it is given"
     } else {
@@ -259,6 +259,41 @@ pub fn declared_doc(declared: &Declared) -> String {
     if !text.is_empty() {
         text.push('\n');
     }
-    let (name, unit) = (&declared.name, declared.shown_unit());
-    format!("{text} `{name}` in {unit}{axes}{moving}.")
+    let (name, axes) = (&declared.name, axes(declared));
+    let unit = declared.in_unit();
+    let default = default_value(declared).map(|value| format!(", {value} by default"));
+    let default = default.unwrap_or_default();
+    format!("{text} `{name}`{unit}{axes}{moving}{default}.")
+}
+
+fn axes(declared: &Declared) -> String {
+    let axes = |frame: FrameWord| format!(", {} axes", frame.text());
+    declared.frame.map_or_else(String::new, axes)
+}
+
+/// `2.4`, or `(0, 0, 1)`.
+fn default_value(declared: &Declared) -> Option<String> {
+    let numbers = declared.default.as_ref()?.iter().map(shown);
+    let numbers = numbers.collect::<Vec<_>>().join(", ");
+    Some(match declared.frame {
+        None => numbers,
+        Some(_) => format!("({numbers})"),
+    })
+}
+
+/// The parameters with their defaults.
+pub fn params_rows(outline: &Outline) -> Vec<String> {
+    let rows = outline.params.iter().map(|param| {
+        let (name, unit) = (&param.name, param.plain_unit());
+        let value = match default_value(param) {
+            Some(value) => format!(" = {value} {unit}"),
+            None => param.in_unit(),
+        };
+        let text = param.text.iter().map(|line| line.trim());
+        let text: Vec<&str> = text.take_while(|line| !line.is_empty()).collect();
+        let text = (!text.is_empty()).then(|| format!(": {}", text.join(" ")));
+        let (value, axes) = (value.trim_end(), axes(param));
+        format!("`{name}`{value}{axes}{}", text.unwrap_or_default())
+    });
+    rows.collect()
 }

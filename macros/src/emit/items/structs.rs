@@ -7,7 +7,7 @@ use crate::emit::code::{Scalar, Shapes, allow_constants, local_name, private};
 use crate::model::{Declared, Outline};
 
 use super::constructor::Constructor;
-use super::docs::{Documentation, declared_doc};
+use super::docs::{Documentation, declared_doc, params_rows};
 use super::open::{open_drives, open_reactions};
 use super::record::{Field, Record, snake_case};
 
@@ -149,11 +149,8 @@ fn docs_of_part(outline: &Outline, name: &Ident) -> [String; 2] {
             [" The motion", " The acceleration"].map(|what| format!("{what} of the body."))
         };
     };
-    let rate = state.shown_rate();
-    [
-        declared_doc(state),
-        format!(" The rate of `{name}` in {rate}."),
-    ]
+    let unit = state.rate_in_unit();
+    [declared_doc(state), format!(" The rate of `{name}`{unit}.")]
 }
 
 /// A body that is built from parameters; `beside` are the structs beside them.
@@ -189,6 +186,8 @@ fn emit_built(
     let what = if has_params { "parameter" } else { "constant" };
     let new_doc =
         format!(" Checks the {what}s, and computes everything that depends on them alone.");
+    let rows = params_rows(outline).into_iter();
+    let rows = rows.map(|row| format!(" - {row}"));
     let error_doc =
         format!(" A {what} is not finite, or no body can have the resulting mass or inertia.");
     quote! {
@@ -200,6 +199,7 @@ fn emit_built(
         impl #declared #name #applied {
             #constants
             #[doc = #new_doc]
+            #(#[doc = #rows])*
             #[doc = ""]
             #[doc = " # Errors"]
             #[doc = #error_doc]

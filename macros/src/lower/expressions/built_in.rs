@@ -89,6 +89,9 @@ impl Lowering<'_> {
             keyword if keyword.starts_with("r#") => {
                 format!("`{}` is a keyword of Rust, and no name here", &keyword[2..])
             }
+            "ground" if !self.members.bodies.is_empty() => {
+                "a point of the ground is written by its coordinates: `world(..)`".to_owned()
+            }
             "body" | "world" => {
                 format!("`{word}` makes a vector: write `{word}(..)` with components")
             }

@@ -302,6 +302,7 @@ impl Lowering<'_> {
             .chain(SCALAR_METHODS);
         let hint = match function_meant(&word) {
             Some(meant) => format!("; did you mean `{meant}`?"),
+            None if word == "to_radians" => ": write the unit, `30[deg]`".to_owned(),
             None => hint(&word, known),
         };
         let message = format!("there is no function `{word}` of a scalar{hint}");

@@ -6,7 +6,7 @@ use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Ident;
 
-use crate::errors::hint;
+use crate::errors::{hint, name_meant};
 use crate::model::{Dimension, Frame, Origin, Point, Vector};
 use crate::symbolic::{Components, Id};
 use crate::syntax::Description;
@@ -304,7 +304,10 @@ impl Members {
             .chain(others)
             .collect();
         known.sort_unstable();
-        hint(name, known)
+        match name_meant(name) {
+            Some(meant) if known.contains(&meant) => format!("; did you mean `{meant}`?"),
+            _ => hint(name, known),
+        }
     }
 
     /// `upper.tip`, if the body `upper` has a point `tip`.

@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::hint;
+use crate::errors::{hint, vector_method_meant};
 use crate::model::{Attitude, Dimension, Frame, Point, Vector};
 use crate::symbolic::{Components, Function, Id};
 use crate::syntax::Expression;
@@ -56,13 +56,12 @@ impl Lowering<'_> {
         let word = method.to_string();
         let (vector, of_vector) = (self.as_vector(value)?, dimension(value)?);
         if !VECTOR_METHODS.contains(&word.as_str()) {
-            return self.report(
-                method.span(),
-                format!(
-                    "there is no method `{word}` of a vector{}",
-                    hint(&word, VECTOR_METHODS)
-                ),
-            );
+            let hint = match vector_method_meant(&word) {
+                Some(meant) => format!("; did you mean `{meant}`?"),
+                None => hint(&word, VECTOR_METHODS),
+            };
+            let message = format!("there is no method `{word}` of a vector{hint}");
+            return self.report(method.span(), message);
         }
         let names_body =
             word == "in_body" && !self.members.bodies.is_empty() && !arguments.is_empty();

@@ -191,7 +191,7 @@ impl Lowering<'_> {
             }
             _ => self.report(
                 written.extent,
-                format!("in space an inertia has more than one number: {FORMS}"),
+                format!("an inertia in space has more than one number: {FORMS}"),
             ),
         }
     }
@@ -237,8 +237,8 @@ impl Lowering<'_> {
 pub const CONSTANT: &str = "the inertia is constant in body axes";
 
 pub const FORMS: &str = "write `principal(a, b, c)`, `tensor { xx, yy, zz, xy, yz, zx }`, \
-                         `products { .. }` or a solid such as `cylinder(r, h)`; tensor and \
-                         products differ in the sign of the off-diagonals, so the word must be said";
+                         `products { .. }` or a solid such as `cylinder(r, h)`; `tensor` and \
+                         `products` differ in the sign of the off-diagonals";
 
 /// Whether one of the forms of inertia occurs in `expression`.
 fn has_form(expression: &Expression) -> bool {

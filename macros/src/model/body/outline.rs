@@ -265,30 +265,26 @@ pub struct Declared {
 }
 
 impl Declared {
-    /// Its unit, in the words of the description if it has one.
-    pub fn shown_unit(&self) -> String {
-        let unit = self.unit.as_ref();
-        unit.map_or_else(|| self.dimension.to_string(), Unit::to_string)
-    }
-
-    /// The same, empty for a pure number.
+    /// Its unit, in the words of the description if it has one; empty for a pure number.
     pub fn plain_unit(&self) -> String {
         let is_number = [Dimension::NONE, Dimension::ANY].contains(&self.dimension);
-        if self.unit.is_none() && is_number {
-            String::new()
-        } else {
-            self.shown_unit()
+        match &self.unit {
+            Some(unit) => unit.to_string(),
+            None if is_number => String::new(),
+            None => self.dimension.to_string(),
         }
     }
 
-    /// The unit of its rate.
-    pub fn shown_rate(&self) -> String {
+    /// The same as the end of a sentence: ` in m / s`.
+    pub fn in_unit(&self) -> String {
+        in_unit(self.unit.as_ref(), self.dimension)
+    }
+
+    /// The same of its rate.
+    pub fn rate_in_unit(&self) -> String {
         let rate = self.unit.clone().and_then(Unit::per_second);
-        let of_dimension = || self.dimension.over(Dimension::TIME);
-        rate.map_or_else(
-            || of_dimension().unwrap_or(Dimension::ANY).to_string(),
-            |rate| rate.to_string(),
-        )
+        let of_dimension = self.dimension.over(Dimension::TIME);
+        in_unit(rate.as_ref(), of_dimension.unwrap_or(Dimension::ANY))
     }
 
     /// The number of given derivatives.
@@ -298,5 +294,13 @@ impl Declared {
         } else {
             2 * usize::from(self.order > 0) - self.order
         }
+    }
+}
+
+fn in_unit(unit: Option<&Unit>, dimension: Dimension) -> String {
+    match unit {
+        Some(unit) => format!(" in {unit}"),
+        None if dimension == Dimension::ANY => " without a unit".to_owned(),
+        None => format!(" in {dimension}"),
     }
 }

@@ -175,10 +175,14 @@ fn parse_declaration(
         [TokenTree::Group(group), tail @ ..] if group.delimiter() == Delimiter::Bracket => {
             if tail.first().is_some_and(|token| is_punct(token, '=')) {
                 let unit = group.stream();
-                errors.push(
-                    group.span(),
-                    format!("a unit stands behind its number: write `{name} = ..[{unit}]`"),
-                );
+                let message = if key == "inputs" {
+                    format!(
+                        "an input has no value here: write `{name}[{unit}]`, or make it a param"
+                    )
+                } else {
+                    format!("a unit stands behind its number: write `{name} = ..[{unit}]`")
+                };
+                errors.push(group.span(), message);
                 (None, Some(None))
             } else if bracketed(rest).is_some() {
                 let unit = UnitExpression::parse(group, errors);

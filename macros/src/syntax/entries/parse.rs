@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
-use crate::errors::{Errors, Extent, similar};
+use crate::errors::{Errors, Extent, foreign_key_meant, similar};
 
 use super::checks::parse_check;
 use super::composition::Composition;
@@ -89,7 +89,8 @@ pub fn key_meant(word: &str) -> Option<&'static str> {
 
 /// An unknown key, and the one that was probably meant.
 pub fn report_unknown(key: &Ident, meant: Option<&str>, errors: &mut Errors) {
-    let hint = meant.map_or_else(
+    let elsewhere = || foreign_key_meant(&key.to_string());
+    let hint = meant.or_else(elsewhere).map_or_else(
         || "; the documentation of the macro lists all keys".to_owned(),
         |meant| format!("; did you mean `{meant}`?"),
     );

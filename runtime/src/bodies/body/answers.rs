@@ -7,8 +7,7 @@ use crate::state::State;
 /// The terms of the balances (1.3) and (1.4); wrenches in world axes.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `balance`",
-    label = "not among the `outputs` of its description",
-    note = "write `outputs: [.., balance]`"
+    label = "add `balance` to its `outputs`"
 )]
 pub trait Balance: RigidBody {
     /// [`Wrench`](crate::wrench::Wrench), [`PlanarWrench`](crate::wrench::PlanarWrench) or, for
@@ -46,8 +45,8 @@ pub trait Balance: RigidBody {
 /// other loads, plus the slopes of the potential along user-defined states times their rates.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `energy`",
-    label = "not among the `outputs` of its description, or it depends on more than the state",
-    note = "write `outputs: [.., energy]`; where it depends on the time or an input, the trait is `DrivenEnergy`"
+    label = "add `energy` to its `outputs`",
+    note = "if it depends on time or an input, the trait is `DrivenEnergy`"
 )]
 pub trait Energy: RigidBody {
     /// `½ m v² + ½ ω·Jω`, over the degrees of freedom of the motion.
@@ -68,8 +67,8 @@ pub trait Energy: RigidBody {
 /// About a pole O moving with `v_O`, the angular momentum obeys `dL_O/dt = M_O - v_O × P`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `momentum`",
-    label = "not among the `outputs` of its description, or it depends on more than the state",
-    note = "write `outputs: [.., momentum]`; where it depends on the time or an input, the trait is `DrivenMomentum`"
+    label = "add `momentum` to its `outputs`",
+    note = "if it depends on time or an input, the trait is `DrivenMomentum`"
 )]
 pub trait Momentum: RigidBody {
     /// A vector in space or in the plane.
@@ -135,8 +134,7 @@ pub trait Momentum: RigidBody {
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `reactions`",
-    label = "not among the `outputs` of its description",
-    note = "write `outputs: [.., reactions]`"
+    label = "add `reactions` to its `outputs`"
 )]
 pub trait Reactions: RigidBody {
     /// One field for each load with unknowns, world axes \[N, N m\]; or a `Result` of that and
@@ -161,8 +159,7 @@ pub trait Reactions: RigidBody {
 /// is least in the metric of the kinetic energy (Gauss's principle).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `inverse`",
-    label = "not among the `outputs` of its description",
-    note = "write `outputs: [.., inverse]`"
+    label = "add `inverse` to its `outputs`"
 )]
 pub trait Inverse: RigidBody {
     /// One field for each drive with unknown components, in the axes in which it is written \[N, N
@@ -241,8 +238,7 @@ pub trait Inverse: RigidBody {
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `regressor`",
-    label = "not among the `outputs` of its description",
-    note = "write `outputs: [.., regressor]`"
+    label = "add `regressor` to its `outputs`"
 )]
 pub trait Regressor: RigidBody {
     /// A matrix; for a system a field with a matrix for each body.
@@ -291,6 +287,10 @@ pub trait Regressor: RigidBody {
 /// assert_eq!(there.at(1.4), caught);
 /// assert!((back.at(-1.4).angular_velocity - thrown.angular_velocity).norm() < 1e-13);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `flow`",
+    label = "add `flow` to its `outputs`"
+)]
 pub trait Flow: RigidBody {
     /// The type of a motion from one state.
     type Path: Path<State = Self::State>;

@@ -21,9 +21,11 @@ mod invalid;
 mod of_systems;
 mod rigid_body;
 mod singular;
+mod unrequested;
 
 pub use answers::{Balance, Energy, Flow, Inverse, Momentum, Reactions, Regressor};
 pub use invalid::{Impossible, InvalidBody};
 pub use of_systems::{DrivenEnergy, DrivenMomentum, Jacobian, MassMatrix};
 pub use rigid_body::RigidBody;
 pub use singular::Singular;
+pub(crate) use unrequested::{Unrequested, unrequested};

@@ -7,6 +7,11 @@ use super::rigid_body::RigidBody;
 ///
 /// The drives of these joints do work on the system: with loads M and rates w, they supply the
 /// power `M w`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `energy` that depends on time or an input",
+    label = "add `energy` to its `outputs`",
+    note = "if it depends on the state alone, the trait is `Energy`"
+)]
 pub trait DrivenEnergy: RigidBody {
     /// `½ m v² + ½ ω·Jω` of all bodies.
     fn kinetic_energy(
@@ -26,6 +31,11 @@ pub trait DrivenEnergy: RigidBody {
 }
 
 /// [`Momentum`](super::Momentum) of a system with joints of prescribed motion: it depends on time and on inputs.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `momentum` that depends on time or an input",
+    label = "add `momentum` to its `outputs`",
+    note = "if it depends on the state alone, the trait is `Momentum`"
+)]
 pub trait DrivenMomentum: RigidBody {
     /// A vector in space or in the plane.
     type Linear;
@@ -69,8 +79,7 @@ pub trait DrivenMomentum: RigidBody {
 /// along world axes, then the rotation along body axes.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `mass_matrix`",
-    label = "not among the `outputs` of its description",
-    note = "write `outputs: [.., mass_matrix]`"
+    label = "add `mass_matrix` to its `outputs`"
 )]
 pub trait MassMatrix: RigidBody {
     /// A square matrix.
@@ -105,9 +114,8 @@ pub trait MassMatrix: RigidBody {
 /// A force F and a moment M on the body at P act along the joint coordinates as `Jᵀ (F, M)`.
 /// A driven joint has no column.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no `jacobian(P)`",
-    label = "not among the `outputs` of its description",
-    note = "write `outputs: [.., jacobian(P)]`"
+    message = "`{Self}` has no `jacobian`",
+    label = "add `jacobian(body.point)` to its `outputs`"
 )]
 pub trait Jacobian: RigidBody {
     /// One field for each point, `arm_tip`: a matrix of six rows, in the plane three (x, y, angle),

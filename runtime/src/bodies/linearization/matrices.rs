@@ -4,7 +4,7 @@ use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, DimDiff, DimSub, SMatrix, U1};
 
 use super::modes::Modes;
-use crate::bodies::body::RigidBody;
+use crate::bodies::body::{RigidBody, Unrequested, unrequested};
 
 /// The first derivatives of the motion of a body or a system, `outputs: [linearization]`.
 ///
@@ -34,8 +34,7 @@ use crate::bodies::body::RigidBody;
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `linearization`",
-    label = "not among the `outputs` of its description",
-    note = "write `outputs: [.., linearization]`"
+    label = "add `linearization` to its `outputs`"
 )]
 pub trait Linearization: RigidBody {
     /// A struct of the acceleration and of all blocks that are not zero in all states:
@@ -52,6 +51,19 @@ pub trait Linearization: RigidBody {
         state: &Self::State,
         input: &Self::Input,
     ) -> Self::Linearization;
+}
+
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `linearization`",
+    label = "add `linearization` to its `outputs`"
+)]
+pub trait LinearizationInOutputs: Unrequested {}
+
+unrequested! {
+    impl Linearization for LinearizationInOutputs {
+        type Linearization = ();
+        fn linearize(Self::Scalar, &Self::State, &Self::Input) -> ();
+    }
 }
 
 /// `x' = A x + B u`: a linearization as matrices, in doubles.

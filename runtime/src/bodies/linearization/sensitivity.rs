@@ -2,7 +2,7 @@
 
 use nalgebra::SMatrix;
 
-use crate::bodies::body::RigidBody;
+use crate::bodies::body::{RigidBody, Unrequested, unrequested};
 
 /// The first derivatives of the accelerations by parameters, `outputs: [sensitivity]`.
 ///
@@ -32,8 +32,7 @@ use crate::bodies::body::RigidBody;
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `sensitivity`",
-    label = "not among the `outputs` of its description",
-    note = "write `outputs: [.., sensitivity]`"
+    label = "add `sensitivity` to its `outputs`"
 )]
 pub trait Sensitivity: RigidBody {
     /// A struct of the acceleration and of all blocks that are not zero in all states:
@@ -50,6 +49,19 @@ pub trait Sensitivity: RigidBody {
         state: &Self::State,
         input: &Self::Input,
     ) -> Self::Sensitivity;
+}
+
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `sensitivity`",
+    label = "add `sensitivity` to its `outputs`"
+)]
+pub trait SensitivityInOutputs: Unrequested {}
+
+unrequested! {
+    impl Sensitivity for SensitivityInOutputs {
+        type Sensitivity = ();
+        fn sensitivity(Self::Scalar, &Self::State, &Self::Input) -> ();
+    }
 }
 
 /// A sensitivity as a matrix, in doubles.

@@ -19,8 +19,8 @@ pub trait Method<B: RigidBody<Scalar = f64>>: Copy + Send + Sync {
 pub trait Tolerant: Sized {
     /// The method with this tolerance: relative to position, attitude, velocity and angular
     /// velocity, each as a whole, and absolute (m, rad, m/s, rad/s) where these are below 1. The
-    /// error at the end is that of all steps, propagated by the motion. A tolerance below rounding
-    /// counts as 1e-18.
+    /// error at the end is the sum of the errors of all steps, each propagated by the motion. A
+    /// tolerance below rounding counts as 1e-18.
     #[must_use]
     fn with_tolerance(tolerance: f64) -> Self;
 }

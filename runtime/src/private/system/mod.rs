@@ -127,131 +127,137 @@ macro_rules! __system_state {
             $($($on_second)* pub $field: $second,)+
         }
 
-        #[allow(clippy::inline_always)]
-        impl<$($generic: $crate::private::Scalar)?> $crate::private::State
-            for $state<$($generic)?>
-        {
-            type Scalar = $scalar;
-            type Acceleration = $acceleration<$($generic)?>;
-            type Rate = $crate::private::List<
-                $scalar,
-                {
-                    0 $(
-                        + $crate::private::system::shifts::<$crate::private::$kind>()
-                        + $crate::private::system::freedoms::<$crate::private::$kind>()
-                    )+
-                },
-            >;
+        // names of these numbers, which rustdoc shows in types
+        const _: () = {
+            const COORDINATES: usize =
+                0 $(+ $crate::private::system::coordinates::<$crate::private::$kind>())+;
+            const RATES: usize = 0 $(
+                + $crate::private::system::shifts::<$crate::private::$kind>()
+                + $crate::private::system::freedoms::<$crate::private::$kind>()
+            )+;
 
-            #[inline(always)]
-            fn rate(&self, acceleration: &Self::Acceleration) -> Self::Rate {
-                const SHIFTS: usize =
-                    0 $(+ $crate::private::system::shifts::<$crate::private::$kind>())+;
-                let [any, ..] = [$($crate::private::system::any(&self.$field)),+];
-                let mut rate = $crate::private::List::repeat(any);
-                let mut parts = $crate::private::system::PartsMut::of(&mut rate, SHIFTS);
-                $(parts.put(
-                    $crate::private::State::rate(&self.$field, &acceleration.$field).as_slice(),
-                    $crate::private::system::shifts::<$crate::private::$kind>(),
-                );)+
-                rate
+            impl<$($generic: $crate::private::Scalar)?> $state<$($generic)?> {
+                /// The number of coordinates: positions and velocities.
+                pub const COORDINATES: usize = COORDINATES;
+                /// The number of rates: those of the positions and of the velocities.
+                pub const RATES: usize = RATES;
             }
 
-            #[inline(always)]
-            fn moved(&self, displacement: &Self::Rate) -> Self {
-                const SHIFTS: usize =
-                    0 $(+ $crate::private::system::shifts::<$crate::private::$kind>())+;
-                let [any, ..] = [$($crate::private::system::any(&self.$field)),+];
-                let mut parts = $crate::private::system::Parts::of(displacement, SHIFTS, any);
-                Self {
-                    $($field: {
-                        let part = parts.take::<
+            #[allow(clippy::inline_always)]
+            impl<$($generic: $crate::private::Scalar)?> $crate::private::State
+                for $state<$($generic)?>
+            {
+                type Scalar = $scalar;
+                type Acceleration = $acceleration<$($generic)?>;
+                type Rate = $crate::private::List<$scalar, RATES>;
+
+                #[inline(always)]
+                fn rate(&self, acceleration: &Self::Acceleration) -> Self::Rate {
+                    const SHIFTS: usize =
+                        0 $(+ $crate::private::system::shifts::<$crate::private::$kind>())+;
+                    let [any, ..] = [$($crate::private::system::any(&self.$field)),+];
+                    let mut rate = $crate::private::List::repeat(any);
+                    let mut parts = $crate::private::system::PartsMut::of(&mut rate, SHIFTS);
+                    $(parts.put(
+                        $crate::private::State::rate(&self.$field, &acceleration.$field).as_slice(),
+                        $crate::private::system::shifts::<$crate::private::$kind>(),
+                    );)+
+                    rate
+                }
+
+                #[inline(always)]
+                fn moved(&self, displacement: &Self::Rate) -> Self {
+                    const SHIFTS: usize =
+                        0 $(+ $crate::private::system::shifts::<$crate::private::$kind>())+;
+                    let [any, ..] = [$($crate::private::system::any(&self.$field)),+];
+                    let mut parts = $crate::private::system::Parts::of(displacement, SHIFTS, any);
+                    Self {
+                        $($field: {
+                            let part = parts.take::<
                             {
                                 $crate::private::system::shifts::<$crate::private::$kind>()
                                     + $crate::private::system::freedoms::<$crate::private::$kind>()
                             },
                         >($crate::private::system::shifts::<$crate::private::$kind>());
-                        $crate::private::State::moved(&self.$field, &part.into())
-                    },)+
-                }
-            }
-        }
-
-        #[allow(clippy::inline_always)]
-        impl<$($generic: $crate::private::Scalar)?> $crate::private::Coordinates
-            for $state<$($generic)?>
-        {
-            type Array = $crate::private::List<
-                $scalar,
-                { 0 $(+ $crate::private::system::coordinates::<$crate::private::$kind>())+ },
-            >;
-
-            const GROUPS: &'static [usize] = &{
-                const PARTS: &[&[usize]] = &[
-                    $(<$crate::private::$kind as $crate::private::Coordinates>::GROUPS,)+
-                ];
-                const COUNT: usize = $crate::private::system::count(PARTS);
-                $crate::private::system::groups::<COUNT>(PARTS)
-            };
-
-            const AXES: ::core::option::Option<[usize; 2]> = $crate::private::system::axes(&[$((
-                <$crate::private::$kind as $crate::private::Coordinates>::GROUPS,
-                <$crate::private::$kind as $crate::private::Coordinates>::AXES,
-            ),)+]);
-
-            #[inline(always)]
-            fn coordinates(&self) -> Self::Array {
-                let [any, ..] = [$($crate::private::system::any(&self.$field)),+];
-                let mut list = $crate::private::List::repeat(any);
-                let place = const { $crate::private::system::positions::<Self>() };
-                let mut parts = $crate::private::system::PartsMut::of(&mut list, place);
-                $(parts.put(
-                    &$crate::private::Coordinates::coordinates(&self.$field),
-                    $crate::private::system::positions::<$first>(),
-                );)+
-                list
-            }
-
-            #[inline(always)]
-            fn from_coordinates(coordinates: &Self::Array) -> Self {
-                let [any, ..] = coordinates.0;
-                let place = const { $crate::private::system::positions::<Self>() };
-                let mut parts = $crate::private::system::Parts::of(coordinates, place, any);
-                Self {
-                    $($field: $crate::private::Coordinates::from_coordinates(
-                        &parts.take($crate::private::system::positions::<$first>()),
-                    ),)+
+                            $crate::private::State::moved(&self.$field, &part.into())
+                        },)+
+                    }
                 }
             }
 
-            #[inline(always)]
-            fn rates(&self, acceleration: &Self::Acceleration) -> Self::Array {
-                let [any, ..] = [$($crate::private::system::any(&self.$field)),+];
-                let mut rates = $crate::private::List::repeat(any);
-                let place = const { $crate::private::system::positions::<Self>() };
-                let mut parts = $crate::private::system::PartsMut::of(&mut rates, place);
-                $(parts.put(
-                    &$crate::private::Coordinates::rates(&self.$field, &acceleration.$field),
-                    $crate::private::system::positions::<$first>(),
-                );)+
-                rates
-            }
+            #[allow(clippy::inline_always)]
+            impl<$($generic: $crate::private::Scalar)?> $crate::private::Coordinates
+                for $state<$($generic)?>
+            {
+                type Array = $crate::private::List<$scalar, COORDINATES>;
 
-            #[inline(always)]
-            fn keep(coordinates: &Self::Array, change: &mut Self::Array) {
-                let (before, [any, ..]) = (*change, coordinates.0);
-                let place = const { $crate::private::system::positions::<Self>() };
-                let mut starts = $crate::private::system::Parts::of(coordinates, place, any);
-                let mut changes = $crate::private::system::Parts::of(&before, place, any);
-                let mut parts = $crate::private::system::PartsMut::of(change, place);
-                $({
-                    let first = const { $crate::private::system::positions::<$first>() };
-                    let (start, mut change) = (starts.take(first), changes.take(first));
-                    <$first as $crate::private::Coordinates>::keep(&start, &mut change);
-                    parts.put(&change, first);
-                })+
+                const GROUPS: &'static [usize] = &{
+                    const PARTS: &[&[usize]] = &[
+                        $(<$crate::private::$kind as $crate::private::Coordinates>::GROUPS,)+
+                    ];
+                    const COUNT: usize = $crate::private::system::count(PARTS);
+                    $crate::private::system::groups::<COUNT>(PARTS)
+                };
+
+                const AXES: ::core::option::Option<[usize; 2]> = $crate::private::system::axes(&[$((
+                    <$crate::private::$kind as $crate::private::Coordinates>::GROUPS,
+                    <$crate::private::$kind as $crate::private::Coordinates>::AXES,
+                ),)+]);
+
+                #[inline(always)]
+                fn coordinates(&self) -> Self::Array {
+                    let [any, ..] = [$($crate::private::system::any(&self.$field)),+];
+                    let mut list = $crate::private::List::repeat(any);
+                    let place = const { $crate::private::system::positions::<Self>() };
+                    let mut parts = $crate::private::system::PartsMut::of(&mut list, place);
+                    $(parts.put(
+                        &$crate::private::Coordinates::coordinates(&self.$field),
+                        $crate::private::system::positions::<$first>(),
+                    );)+
+                    list
+                }
+
+                #[inline(always)]
+                fn from_coordinates(coordinates: &Self::Array) -> Self {
+                    let [any, ..] = coordinates.0;
+                    let place = const { $crate::private::system::positions::<Self>() };
+                    let mut parts = $crate::private::system::Parts::of(coordinates, place, any);
+                    Self {
+                        $($field: $crate::private::Coordinates::from_coordinates(
+                            &parts.take($crate::private::system::positions::<$first>()),
+                        ),)+
+                    }
+                }
+
+                #[inline(always)]
+                fn rates(&self, acceleration: &Self::Acceleration) -> Self::Array {
+                    let [any, ..] = [$($crate::private::system::any(&self.$field)),+];
+                    let mut rates = $crate::private::List::repeat(any);
+                    let place = const { $crate::private::system::positions::<Self>() };
+                    let mut parts = $crate::private::system::PartsMut::of(&mut rates, place);
+                    $(parts.put(
+                        &$crate::private::Coordinates::rates(&self.$field, &acceleration.$field),
+                        $crate::private::system::positions::<$first>(),
+                    );)+
+                    rates
+                }
+
+                #[inline(always)]
+                fn keep(coordinates: &Self::Array, change: &mut Self::Array) {
+                    let (before, [any, ..]) = (*change, coordinates.0);
+                    let place = const { $crate::private::system::positions::<Self>() };
+                    let mut starts = $crate::private::system::Parts::of(coordinates, place, any);
+                    let mut changes = $crate::private::system::Parts::of(&before, place, any);
+                    let mut parts = $crate::private::system::PartsMut::of(change, place);
+                    $({
+                        let first = const { $crate::private::system::positions::<$first>() };
+                        let (start, mut change) = (starts.take(first), changes.take(first));
+                        <$first as $crate::private::Coordinates>::keep(&start, &mut change);
+                        parts.put(&change, first);
+                    })+
+                }
             }
-        }
+        };
 
         $crate::private::system_state! {
             @columns [$($generic)?] $scalar $state $(

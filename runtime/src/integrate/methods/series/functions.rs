@@ -11,8 +11,8 @@ use crate::taylor::{Plain, Series, Taylor, after};
 /// moves from its given value. The error of each step is below `tolerance`; time may run backwards.
 ///
 /// The tolerance is relative to position, attitude, velocity and angular velocity, each as a whole,
-/// and absolute (m, rad, m/s, rad/s) where these are below 1. The error at the end is that of all
-/// steps, propagated by the motion. The order follows from the tolerance: 10, 12, 16 or 20.
+/// and absolute (m, rad, m/s, rad/s) where these are below 1. The error at the end is the sum of
+/// the errors of all steps, each propagated by the motion. The order follows from the tolerance: 10, 12, 16 or 20.
 ///
 /// ```
 /// use newton_euler::{integrate, prelude::*};

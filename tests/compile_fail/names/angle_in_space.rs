@@ -1,0 +1,10 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Rock {
+    motion: spatial,
+    mass: 2[kg],
+    inertia: principal(1, 2, 3)[kg * m ^ 2],
+    forces: [push = world(angle.sin(), 0, 0)],
+});
+
+fn main() {}

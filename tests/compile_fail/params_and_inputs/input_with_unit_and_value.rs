@@ -1,0 +1,11 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Rock {
+    motion: spatial,
+    mass: 2[kg],
+    inertia: principal(1, 2, 3)[kg * m ^ 2],
+    inputs: [thrust[N] = 5],
+    forces: [push = body(0, 0, thrust)],
+});
+
+fn main() {}

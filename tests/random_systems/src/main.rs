@@ -14,6 +14,8 @@
 #[path = "../../random_bodies/src/wide/mod.rs"]
 mod wide;
 
+#[path = "../../interpolated/mod.rs"]
+mod interpolated;
 #[path = "../../lagrange_systems/mod.rs"]
 mod lagrange;
 
@@ -93,6 +95,10 @@ mod tests {
             "(copies)",
             "(local)",
             "(open drive)",
+            "(driving state)",
+            "(table)",
+            "(cubic)",
+            "(function)",
             "(armature)",
             "(regressor)",
         ];

@@ -17,6 +17,7 @@ use mounted::symbolic::{Comparison, Components, Function, Id, Node, Number, Tabl
 use mounted::syntax::parse_system;
 use proc_macro2::TokenStream;
 
+use crate::law::functions::called;
 use crate::law::kind::Rates;
 use crate::wide::Wide;
 
@@ -255,8 +256,16 @@ impl Compiled {
             values[id.index()] = match *graph.node(id) {
                 Node::Number(ref number) => wide(number),
                 Node::Truth(holds) => truth(holds),
-                // none from outside is drawn
-                Node::Undefined | Node::Foreign(..) => f64::NAN.into(),
+                Node::Undefined => f64::NAN.into(),
+                Node::Foreign(function, arguments) => {
+                    let declared = &self.work.functions[function.number()];
+                    let name = declared.name.to_string();
+                    // what is not given is not called
+                    let given = declared.word(function);
+                    given.map_or(f64::NAN.into(), |_| {
+                        called(&name, function.orders(), arguments.map(value))
+                    })
+                }
                 Node::Symbol(_) => self.symbol(given, &known, id),
                 Node::Quantity(a) | Node::Positive(a) => value(a),
                 Node::Negate(a) => -value(a),

@@ -8,6 +8,10 @@ use crate::wide::Wide;
 impl Checks<'_> {
     /// How far doubles are from what they round.
     pub fn doubles(&mut self, exact: &[Wide], rng: &mut Rng) -> Errors {
+        // the compiler has no values for functions of Rust
+        if self.drawn.declared.calls {
+            return Errors::default();
+        }
         let roots = self.compiled.accelerations.concat();
         let found = self.compiled.doubles(&roots, &self.state.given());
         let largest = exact

@@ -59,7 +59,7 @@ pub fn check(
     rng: &mut Rng,
 ) -> Option<Result<Errors, Failure>> {
     let links = (&drawn.links[..], drawn.bodies());
-    let scene = Scene::new(links, state.time, &state.inputs, &state.rates);
+    let scene = Scene::new(links, state.instant(drawn), &state.rates);
     let loads = scene.loads(drawn.acting.iter().chain(&drawn.pulling));
     if scene.is_near.get() {
         return None;

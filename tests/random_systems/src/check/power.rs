@@ -39,7 +39,7 @@ impl Checks<'_> {
         let loose = 1e3 * pace;
         self.close("power", &change, &[power], (size + carried.size) * loose);
         let stored = |state: &State| -> Wide {
-            let scene = Scene::new(links, state.time, &state.inputs, &state.rates);
+            let scene = Scene::new(links, state.instant(drawn), &state.rates);
             drawn.stored.iter().map(|energy| energy(&scene)).sum()
         };
         let by_time = |by: f64| {

@@ -6,6 +6,7 @@ use super::compiled::Given;
 use crate::draw::Drawn;
 use crate::law::closed::Loops;
 use crate::law::kind::Rates;
+use crate::law::scene::Instant;
 use crate::law::space::{Vec3, ZERO};
 use crate::wide::Wide;
 
@@ -34,10 +35,10 @@ impl Drawn {
     }
 
     /// Coordinates and rates of what is driven.
-    fn prescribe(&self, time: Wide, inputs: &[Wide], rates: &mut [Rates]) {
+    fn prescribe(&self, instant: &Instant<'_>, rates: &mut [Rates]) {
         for (link, (q, v)) in self.links.iter().zip(rates) {
             for (freedom, function) in link.driven.iter().flatten().enumerate() {
-                [q[freedom], v[freedom], _] = function(time, inputs);
+                [q[freedom], v[freedom], _] = function(instant);
             }
         }
     }
@@ -61,7 +62,7 @@ impl Drawn {
     fn closed(
         &self,
         (start, from): &(Wide, Vec<Rates>),
-        inputs: &[Wide],
+        known: Instant<'_>,
         rng: &mut Rng,
     ) -> Option<(Wide, Vec<Rates>)> {
         let counts = self.links.iter().map(|link| link.kind.freedoms());
@@ -81,7 +82,7 @@ impl Drawn {
                 (link.kind.moved(q, &by), v)
             });
             let mut rates: Vec<Rates> = rates.collect();
-            self.prescribe(time, inputs, &mut rates);
+            self.prescribe(&Instant { time, ..known }, &mut rates);
             if let Some(rates) = self.loops().assembled(rates) {
                 return Some((time, rates));
             }
@@ -115,14 +116,18 @@ impl State {
 
     /// None if its loops do not close.
     pub fn new(drawn: &Drawn, rng: &mut Rng) -> Option<Self> {
-        let inputs = drawn.declared.inputs.iter();
-        let inputs: Vec<Wide> = inputs.map(|(_, value)| (*value).into()).collect();
+        let (inputs, states) = drawn.declared.values();
+        let at = |time: Wide| Instant {
+            time,
+            inputs: &inputs,
+            states: &states,
+        };
         let (time, rates) = if let Some(start) = &drawn.start {
-            drawn.closed(start, &inputs, rng)?
+            drawn.closed(start, at(start.0), rng)?
         } else {
             let time = number(rng, 2.0);
             let mut rates = drawn.any(rng);
-            drawn.prescribe(time, &inputs, &mut rates);
+            drawn.prescribe(&at(time), &mut rates);
             (time, rates)
         };
         Some(Self::moving(drawn, (time, rates), rng))
@@ -130,15 +135,19 @@ impl State {
 
     /// Any accelerations and loads.
     fn moving(drawn: &Drawn, (time, rates): (Wide, Vec<Rates>), rng: &mut Rng) -> Self {
-        let inputs = drawn.declared.inputs.iter();
-        let inputs: Vec<Wide> = inputs.map(|(_, value)| (*value).into()).collect();
+        let (inputs, states) = drawn.declared.values();
+        let instant = Instant {
+            time,
+            inputs: &inputs,
+            states: &states,
+        };
         let (mut accelerations, mut loads) = (Vec::new(), Vec::new());
         for link in &drawn.links {
             let mut a: Vec<Wide> = (0..link.kind.freedoms())
                 .map(|_| number(rng, 3.0))
                 .collect();
             for (freedom, function) in link.driven.iter().flatten().enumerate() {
-                a[freedom] = function(time, &inputs)[2];
+                a[freedom] = function(&instant)[2];
             }
             accelerations.push(a);
             let mut load = [0; 2].map(|_| [0; 3].map(|_| number(rng, 5.0)));
@@ -153,15 +162,21 @@ impl State {
         }
         let params = drawn.declared.params.iter();
         let params = params.map(|(_, value)| (*value).into());
-        let states = drawn.declared.states.iter();
-        let states = states.map(|(.., value)| (*value).into());
         Self {
             time,
-            params: params.chain(states).collect(),
+            params: params.chain(states.iter().copied()).collect(),
             inputs,
             rates,
             accelerations,
             loads,
+        }
+    }
+
+    pub fn instant(&self, drawn: &Drawn) -> Instant<'_> {
+        Instant {
+            time: self.time,
+            inputs: &self.inputs,
+            states: &self.params[drawn.declared.params.len()..],
         }
     }
 
@@ -211,7 +226,8 @@ impl State {
         state
     }
 
-    /// A little later, with user-defined states as they are, and with accelerations by link.
+    /// A little later, with accelerations by link; of user-defined states, those that drive joints
+    /// change.
     pub fn later(&self, drawn: &Drawn, a: &[Vec<Wide>], by: f64) -> Self {
         let time = self.time + Wide::from(by);
         let half = Wide::from(by) * by * 0.5;
@@ -234,13 +250,14 @@ impl State {
                 .map_or(Wide::ZERO, |place| self.inputs[place]);
             *value + rate * by + second * half
         });
-        let inputs: Vec<Wide> = inputs.collect();
-        drawn.prescribe(time, &inputs, &mut rates);
-        Self {
-            time,
-            inputs,
-            ..self.with(rates)
+        let mut later = self.with(Vec::new());
+        (later.time, later.inputs) = (time, inputs.collect());
+        for led in &drawn.declared.led {
+            let state = &mut later.params[drawn.declared.params.len() + led.state];
+            *state = *state + (led.rate)(&self.instant(drawn)) * by;
         }
+        drawn.prescribe(&later.instant(drawn), &mut rates);
+        Self { rates, ..later }
     }
 
     /// With coordinates moved along these rates, by link.

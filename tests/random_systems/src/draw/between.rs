@@ -159,7 +159,7 @@ impl Drawing {
         let stretch = move |line: &Line, scene: &Scene<'_>| {
             let square = line.of(scene);
             let length = dot(square, square).sqrt();
-            let stretch = length - (long + scene.time * rate);
+            let stretch = length - (long + scene.instant.time * rate);
             // at the edge nothing is differentiable twice
             if stretch.high.abs() < 1e-4 || length.high < 1e-4 {
                 scene.is_near.set(true);

@@ -6,7 +6,7 @@ use super::number::literal;
 use crate::law::closed::Loops;
 use crate::law::kind::{Kind, Pose, Rates};
 use crate::law::linear;
-use crate::law::scene::{Link, Ring, motions, still};
+use crate::law::scene::{Instant, Link, Ring, motions, still};
 use crate::law::space::{
     Mat3, NONE, Vec3, ZERO, add, apply, identity, product, scale, subtract, transposed, unit,
 };
@@ -29,10 +29,15 @@ impl Drawing {
             let (kind, mut v) = (self.links[number].kind, Vec::new());
             let mut q = self.coordinates(kind);
             v.resize(kind.freedoms(), Wide::ZERO);
-            let inputs: Vec<Wide> = self.input_values();
+            let (inputs, states) = self.numbers.declared.values();
+            let instant = Instant {
+                time,
+                inputs: &inputs,
+                states: &states,
+            };
             let driven = self.links[number].driven.iter().flatten().enumerate();
             for (freedom, function) in driven {
-                q[freedom] = function(time, &inputs)[0];
+                q[freedom] = function(&instant)[0];
             }
             rates.push((q, v));
         }
@@ -47,11 +52,6 @@ impl Drawing {
         if !self.rings.is_empty() {
             self.start = Some((time, rates));
         }
-    }
-
-    fn input_values(&self) -> Vec<Wide> {
-        let inputs = self.numbers.declared.inputs.iter();
-        inputs.map(|(_, value)| (*value).into()).collect()
     }
 
     /// Of a joint, somewhere.

@@ -110,7 +110,7 @@ impl Drawing {
             *number = place;
         }
         self.acting.push(Box::new(move |scene, loads| {
-            add(scene, loads, (joint, freedom), scene.inputs[place]);
+            add(scene, loads, (joint, freedom), scene.instant.inputs[place]);
         }));
         name
     }

@@ -235,29 +235,33 @@ impl Drawing {
 
     fn prescribed(&mut self, unit: &str) -> (String, Prescribed) {
         let numbers = &mut self.numbers;
+        // what else is drawn does not depend on it
+        if numbers.states > 0 && numbers.rng.clone().bool() {
+            return numbers.led(unit);
+        }
         let (size, rate) = (numbers.plain(2.0), numbers.plain(3.0));
         match numbers.rng.usize(0..4) {
             0 => {
                 let (word, rate) = numbers.quantity(rate, &format!("{unit} / s"));
-                let function: Prescribed = Box::new(move |t, _| [t * rate, rate, Wide::ZERO]);
+                let function: Prescribed = Box::new(move |at| [at.time * rate, rate, Wide::ZERO]);
                 (format!("{word} * t"), function)
             }
             1 => {
                 let (name, place) = numbers.moving(unit);
                 let function: Prescribed =
-                    Box::new(move |_, inputs| [0, 1, 2].map(|order| inputs[place + order]));
+                    Box::new(move |at| [0, 1, 2].map(|order| at.inputs[place + order]));
                 (name, function)
             }
             2 => {
                 let (word, value) = numbers.quantity(size, unit);
-                let function: Prescribed = Box::new(move |_, _| [value, Wide::ZERO, Wide::ZERO]);
+                let function: Prescribed = Box::new(move |_| [value, Wide::ZERO, Wide::ZERO]);
                 (word, function)
             }
             _ => {
                 let (size_word, size) = numbers.quantity(size, unit);
                 let (rate_word, rate) = numbers.quantity(rate, "rad / s");
-                let function: Prescribed = Box::new(move |t, _| {
-                    let (sine, cosine) = (rate * t).sin_cos();
+                let function: Prescribed = Box::new(move |at| {
+                    let (sine, cosine) = (rate * at.time).sin_cos();
                     let swing = size * rate;
                     [size * sine, swing * cosine, -(swing * rate * sine)]
                 });

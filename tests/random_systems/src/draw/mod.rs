@@ -6,6 +6,7 @@ mod closings;
 mod drives;
 mod following;
 mod joints;
+mod led;
 #[cfg(test)]
 pub mod linkages;
 mod loads;

@@ -2,6 +2,7 @@
 
 use fastrand::Rng;
 
+use super::led::Led;
 use crate::law::space::{Vec3, unit};
 use crate::wide::Wide;
 
@@ -18,6 +19,19 @@ pub struct Declared {
     /// By the inputs: the number of one that is its rate.
     pub rates: Vec<Option<usize>>,
     pub locals: Vec<String>,
+    /// The rates of states that drive joints.
+    pub led: Vec<Led>,
+    /// Whether functions of Rust are called.
+    pub calls: bool,
+}
+
+impl Declared {
+    /// Of inputs, and of user-defined states.
+    pub fn values(&self) -> (Vec<Wide>, Vec<Wide>) {
+        let inputs = self.inputs.iter().map(|(_, value)| (*value).into());
+        let states = self.states.iter().map(|(.., value)| (*value).into());
+        (inputs.collect(), states.collect())
+    }
 }
 
 /// Draws numbers of few binary digits, which decimals write exactly.
@@ -74,10 +88,17 @@ impl Numbers {
         if self.states == 0 || self.rng.clone().usize(0..self.states) > 0 {
             return written;
         }
-        let name = format!("s{}", self.declared.states.len());
+        let (name, _) = self.state(value, unit);
+        (name, value.into())
+    }
+
+    /// A user-defined state of this value, and its number.
+    pub fn state(&mut self, value: f64, unit: &str) -> (String, usize) {
+        let place = self.declared.states.len();
+        let name = format!("s{place}");
         let state = (name.clone(), unit.to_owned(), value);
         self.declared.states.push(state);
-        (name, value.into())
+        (name, place)
     }
 
     /// What is written, or the name of a local that is this.

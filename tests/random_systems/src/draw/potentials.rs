@@ -3,6 +3,7 @@
 use super::between::Line;
 use super::sizes::Scalar;
 use super::{Drawing, POTENTIALS};
+use crate::law::functions::{bump, wave};
 use crate::law::scene::{Loads, Scene};
 use crate::law::space::{Vec3, cross, dot, scale, subtract};
 use crate::wide::Wide;
@@ -68,16 +69,34 @@ impl Drawing {
         if !self.is_kept() {
             return;
         }
-        let text = format!("e{number} = {word} * ({} - {rest_word}).powi(2)", q.name);
+        let stretch = format!("({} - {rest_word})", q.name);
+        // what else is drawn does not depend on it
+        let is_bump = self.numbers.states > 0 && self.numbers.rng.clone().bool();
+        self.numbers.declared.calls |= is_bump;
+        let text = if is_bump {
+            let unit = units[0];
+            format!("e{number} = {word} * 1[{unit} ^ 2] * bump({stretch} / 1[{unit}])")
+        } else {
+            format!("e{number} = {word} * {stretch}.powi(2)")
+        };
         self.tops[POTENTIALS].push(text);
         let own = q.clone();
         self.pulling.push(Box::new(move |scene, loads| {
-            let load = k * (along(scene, &q) - rest) * -2.0;
-            drive(loads, &q, load);
+            let stretch = along(scene, &q) - rest;
+            let slope = if is_bump {
+                bump(1, stretch)
+            } else {
+                stretch * 2.0
+            };
+            drive(loads, &q, -(k * slope));
         }));
         self.stored.push(Box::new(move |scene| {
             let stretch = along(scene, &own) - rest;
-            k * stretch * stretch
+            k * if is_bump {
+                bump(0, stretch)
+            } else {
+                stretch * stretch
+            }
         }));
     }
 
@@ -91,17 +110,32 @@ impl Drawing {
         if !self.is_kept() {
             return;
         }
-        let text = format!("e{number} = {word} * {}.sin() * {}", a.name, b.name);
+        let is_wave = self.numbers.states > 0 && self.numbers.rng.clone().bool();
+        self.numbers.declared.calls |= is_wave;
+        let text = if is_wave {
+            format!("e{number} = {word} * wave({}, {})", a.name, b.name)
+        } else {
+            format!("e{number} = {word} * {}.sin() * {}", a.name, b.name)
+        };
         self.tops[POTENTIALS].push(text);
         let both = [a.clone(), b.clone()];
+        let of = move |orders: [u32; 2], x: Wide, y: Wide| {
+            let (sine, cosine) = x.sin_cos();
+            match orders {
+                _ if is_wave => wave(orders, x, y),
+                [1, _] => cosine * y,
+                [_, 1] => sine,
+                _ => sine * y,
+            }
+        };
         self.pulling.push(Box::new(move |scene, loads| {
-            let (sine, cosine) = along(scene, &a).sin_cos();
-            drive(loads, &a, -(k * cosine * along(scene, &b)));
-            drive(loads, &b, -(k * sine));
+            let [x, y] = [&a, &b].map(|one| along(scene, one));
+            drive(loads, &a, -(k * of([1, 0], x, y)));
+            drive(loads, &b, -(k * of([0, 1], x, y)));
         }));
         self.stored.push(Box::new(move |scene| {
-            let [a, b] = &both;
-            k * along(scene, a).sin_cos().0 * along(scene, b)
+            let [x, y] = both.each_ref().map(|one| along(scene, one));
+            k * of([0, 0], x, y)
         }));
     }
 

@@ -53,22 +53,22 @@ impl Drawing {
                     let (q, v) = &scene.rates[joint];
                     if kind % 2 == 0 { q[place] } else { v[place] }
                 };
-                let (name, table) = self
+                let (name, made) = self
                     .numbers
-                    .tabulated(name, ["rad", "rad / s", "m", "m / s"][kind]);
-                let size: Size = Box::new(move |scene| k * table(known(scene)));
+                    .made_of(name, ["rad", "rad / s", "m", "m / s"][kind]);
+                let size: Size = Box::new(move |scene| k * made(scene, known(scene)));
                 (format!("({word} * {name})"), size)
             }
             2 => {
                 let (word, k) = self.numbers.changing(value, unit);
                 let rate = self.numbers.plain(3.0);
                 let (rate_word, rate) = self.numbers.quantity(rate, "1 / s");
-                let size: Size = Box::new(move |scene| k * (rate * scene.time).sin_cos().1);
+                let size: Size = Box::new(move |scene| k * (rate * scene.instant.time).sin_cos().1);
                 (format!("({word} * ({rate_word} * t).cos())"), size)
             }
             3 => {
                 let (word, place) = self.numbers.input(unit);
-                let size: Size = Box::new(move |scene| scene.inputs[place]);
+                let size: Size = Box::new(move |scene| scene.instant.inputs[place]);
                 (format!("({word})"), size)
             }
             _ => {

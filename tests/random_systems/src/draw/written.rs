@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use crate::law::functions::DECLARED;
+
 use super::{CABLES, DRIVES, Drawing, Drawn, FIELDS, FORCES, Keys, MOMENTS, POTENTIALS};
 
 impl Drawing {
@@ -90,6 +92,8 @@ impl Drawing {
             .map(|(name, unit, _)| format!("{name}[{unit}]"))
             .collect();
         let rates: Vec<String> = self.rates.iter().map(|(word, _)| word.clone()).collect();
+        let functions = [DECLARED.to_owned()];
+        let functions = &functions[..usize::from(declared.calls)];
         let mut drives = self.tops[DRIVES].clone();
         let mut inputs = declared.input_words.clone();
         if is_opened {
@@ -107,6 +111,7 @@ impl Drawing {
         }
         for (key, list) in [
             ("params", &params[..]),
+            ("functions", functions),
             ("inputs", &inputs),
             ("states", &states),
             ("rates", &rates),

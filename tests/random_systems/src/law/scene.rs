@@ -12,8 +12,17 @@ use super::space::{
 };
 use crate::wide::Wide;
 
-/// A coordinate as a function of time and of inputs, with its rate and acceleration.
-pub type Prescribed = Box<dyn Fn(Wide, &[Wide]) -> [Wide; 3]>;
+/// What is known before the bodies move.
+#[derive(Clone, Copy)]
+pub struct Instant<'a> {
+    pub time: Wide,
+    pub inputs: &'a [Wide],
+    /// User-defined ones.
+    pub states: &'a [Wide],
+}
+
+/// A coordinate at an instant, with its rate and acceleration.
+pub type Prescribed = Box<dyn Fn(&Instant<'_>) -> [Wide; 3]>;
 
 /// A body with the joint that carries it.
 pub struct Link {
@@ -51,8 +60,7 @@ pub struct Scene<'a> {
     pub links: &'a [Link],
     /// Links behind these have no mass, and are no bodies.
     pub bodies: usize,
-    pub time: Wide,
-    pub inputs: &'a [Wide],
+    pub instant: Instant<'a>,
     pub rates: &'a [Rates],
     pub motions: Vec<Motion>,
     /// With the accelerations that loads follow.
@@ -107,16 +115,14 @@ pub fn still(links: &[Link]) -> Vec<Vec<Wide>> {
 impl<'a> Scene<'a> {
     pub fn new(
         (links, bodies): (&'a [Link], usize),
-        time: Wide,
-        inputs: &'a [Wide],
+        instant: Instant<'a>,
         rates: &'a [Rates],
     ) -> Self {
         let motions = motions(links, rates, &still(links));
         Self {
             links,
             bodies,
-            time,
-            inputs,
+            instant,
             rates,
             following: RefCell::new(motions.clone()),
             motions,

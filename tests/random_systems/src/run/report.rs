@@ -58,6 +58,10 @@ impl Report {
             (drawn.text.matches("copies").count(), "copies"),
             (drawn.open.len(), "open drive"),
             (system.links.len(), "link"),
+            (drawn.declared.led.len(), "driving state"),
+            (drawn.text.matches("table(").count(), "table"),
+            (drawn.text.matches(", cubic").count(), "cubic"),
+            (usize::from(drawn.declared.calls), "function"),
             (drawn.text.matches(".armature").count(), "armature"),
             (usize::from(compiled.regressors.is_some()), "regressor"),
             (

@@ -1,5 +1,6 @@
 //! Pictures, read as markup: what is drawn, where, and with which words.
 
+mod gallery;
 mod page;
 mod plot;
 

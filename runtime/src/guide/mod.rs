@@ -13,6 +13,7 @@
 //! 6. [Systems](systems): several bodies, and closed loops.
 //! 7. [Speed](speed): what an evaluation costs, and how to pay less.
 //! 8. [Accuracy](accuracy): errors, their sources, and how to check them.
+//! 9. [Gallery](gallery): pictures of motions, and the programs that draw them.
 //!
 //! To look things up: the [symbols] of formulas and of generated code, and the
 //! [errors] that the compiler reports.
@@ -42,6 +43,17 @@ pub mod speed {}
 
 #[doc = include_str!("accuracy.md")]
 pub mod accuracy {}
+
+/// Pictures of motions, each with the program that draws it: with the feature `pictures`.
+#[cfg(not(feature = "pictures"))]
+pub mod gallery {}
+
+// rustdoc has no files beside its pages: of two definitions of a link it takes the first, which
+// holds the picture
+#[cfg(feature = "pictures")]
+#[cfg_attr(doc, doc = include_str!("gallery_data.md"))]
+#[doc = include_str!("gallery.md")]
+pub mod gallery {}
 
 #[doc = include_str!("symbols.md")]
 pub mod symbols {}

@@ -251,19 +251,16 @@ fn a_double_pendulum_is_a_page() {
 #[test]
 fn the_code_of_a_chain_grows_with_the_number_of_bodies() {
     let lines = [8, 16, 32].map(|count| {
-        let (mut bodies, mut joints) = (String::new(), String::new());
-        for body in 0..count {
-            let points = "from = (-0.2, 0)[m], to = (0.2, 0)[m]";
-            let body_text = format!(
-                "b{body} {{ mass: 1[kg], inertia: 0.02[kg * m ^ 2], points: [{points}] }},"
-            );
-            bodies.push_str(&body_text);
-            let carrier = match body {
-                0 => "world(0, 0)".to_owned(),
-                _ => format!("b{}.to", body - 1),
-            };
-            joints.push_str(&format!("j{body} = revolute({carrier}, b{body}.from),"));
-        }
+        let body = |body: usize| {
+            let points = "points: [from = (-0.2, 0)[m], to = (0.2, 0)[m]]";
+            format!("b{body} {{ mass: 1[kg], inertia: 0.02[kg * m ^ 2], {points} }},")
+        };
+        let joint = |body: usize| match body {
+            0 => "j0 = revolute(world(0, 0), b0.from),".to_owned(),
+            _ => format!("j{body} = revolute(b{}.to, b{body}.from),", body - 1),
+        };
+        let bodies: String = (0..count).map(body).collect();
+        let joints: String = (0..count).map(joint).collect();
         let text = format!("Chain {{ motion: planar, bodies: [{bodies}], joints: [{joints}] }}");
         let expansion = printed(expand_system(text.parse().expect("tokens")));
         lines_of(&expansion, "fn acceleration")

@@ -38,8 +38,9 @@ impl<B: Coordinated<N, M>, const N: usize, const M: usize> Trimmed<B, N, M> {
     }
 
     /// The rates of the accelerations along the motion, in the order of the rates in
-    /// [`Linearized::STATES`]. The motion stays steady if they are zero. They are not for a climb
-    /// through air of decreasing density, or a turn about an axis that is not vertical.
+    /// [`Linearized::STATES`](crate::linearization::Linearized::STATES). The motion stays steady if
+    /// they are zero. They are not for a climb through air of decreasing density, or a turn about an
+    /// axis that is not vertical.
     #[must_use]
     pub fn drift(&self) -> SVector<f64, N> {
         let mut drift = self.matrix * self.rate;

@@ -172,27 +172,22 @@ fn bodies() -> [(&'static str, TokenStream); 7] {
     ]
 }
 
-fn systems() -> [(&'static str, TokenStream); 2] {
-    [
-        ("double_pendulum", double_pendulum()),
-        ("slider_crank", slider_crank()),
-    ]
-}
-
 #[test]
 fn snapshots() {
     for (name, description) in bodies() {
         check(name, &pretty(description));
     }
-    for (name, description) in systems() {
-        check(name, &printed(expand_system(description)));
-    }
+    check(
+        "double_pendulum",
+        &printed(expand_system(double_pendulum())),
+    );
 }
 
 #[test]
 fn the_same_description_gives_the_same_expansion() {
     let bodies = bodies().map(|(_, body)| (expand_description as fn(_) -> _, body));
-    let systems = systems().map(|(_, system)| (expand_system as fn(_) -> _, system));
+    let systems = [double_pendulum(), slider_crank()];
+    let systems = systems.map(|system| (expand_system as fn(_) -> _, system));
     for (expand, description) in bodies.into_iter().chain(systems) {
         let first = printed(expand(description.clone()));
         // every hash map has a seed of its own

@@ -33,6 +33,12 @@ pub fn bump_slope(x: f64) -> f64 {
     (1.0 - square) / ((1.0 + square) * (1.0 + square))
 }
 
+#[allow(dead_code, reason = "descriptions alone name it")]
+pub fn bump_bend(x: f64) -> f64 {
+    let (square, more) = (x * x, 1.0 + x * x);
+    2.0 * x * (square - 3.0) / (more * more * more)
+}
+
 /// The state in the body's own type.
 pub fn state<S: Coordinates<Scalar = f64>>(given: &Given) -> S {
     let mut array = S::Array::default();

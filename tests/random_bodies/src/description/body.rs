@@ -165,6 +165,12 @@ pub enum Potential {
         from: Place,
         to: Place,
     },
+    /// `k * bump(distance)`, whose force and its change need two derivatives of `bump`.
+    Well {
+        strength: Scalar,
+        from: Place,
+        to: Place,
+    },
     /// `-force . P.position()`
     Uniform { force: [Scalar; 3], at: Place },
     /// `-(body vector) . (world vector)`

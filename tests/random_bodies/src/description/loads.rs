@@ -120,6 +120,11 @@ impl Draw {
                 strength: k,
                 from,
                 to,
+            }
+            | Potential::Well {
+                strength: k,
+                from,
+                to,
             } => {
                 *k = -k.clone();
                 if self.random.bool() {
@@ -275,6 +280,10 @@ impl Draw {
                 moment: self.components(order),
                 field: self.components(0),
             };
+        }
+        if self.body.is_rich && self.random.bool() {
+            let (strength, to) = (stiffness, self.place(Axes::World));
+            return Potential::Well { strength, from, to };
         }
         match self.random.u32(..6) {
             0 => Potential::Spring {

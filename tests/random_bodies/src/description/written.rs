@@ -52,7 +52,8 @@ pub fn described(body: &Body, outputs: &[&str]) -> String {
     if body.is_rich {
         keys.push("constants: [constant = crate::given::CONSTANT]".to_owned());
         keys.push(
-            "functions: [bump(x) = crate::given::bump.derivatives(crate::given::bump_slope)]"
+            "functions: [bump(x) = crate::given::bump.derivatives(\
+             crate::given::bump_slope.derivatives(crate::given::bump_bend))]"
                 .to_owned(),
         );
     }
@@ -313,6 +314,11 @@ impl Writer<'_> {
                 let (from, to) = (self.place(from), self.place(to));
                 let strength = self.operand(strength);
                 format!("{strength} / ({to}.position() - {from}.position()).norm()")
+            }
+            Potential::Well { strength, from, to } => {
+                let (from, to) = (self.place(from), self.place(to));
+                let strength = self.operand(strength);
+                format!("{strength} * bump(({to}.position() - {from}.position()).norm())")
             }
             Potential::Uniform { force, at } => {
                 let force = self.written_vector(Axes::World, force);

@@ -49,6 +49,15 @@ impl Scene<'_> {
                 let force = -stretch.normalized().scaled(strength / length.squared());
                 (Wrench::of_force(self, force, from), strength / length)
             }
+            Potential::Well { strength, from, to } => {
+                let (strength, stretch) = (self.scalar(strength), self.stretch(from, to));
+                let length = stretch.norm();
+                let (square, one) = (length.squared(), Number::ONE);
+                let slope = (one - square) / (one + square).squared();
+                let force = stretch.normalized().scaled(strength * slope);
+                let energy = strength * (length / (one + square));
+                (Wrench::of_force(self, force, from), energy)
+            }
             Potential::Uniform { force, at } => {
                 let force = self.written(Axes::World, force);
                 (

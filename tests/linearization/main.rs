@@ -3,6 +3,7 @@
 #![allow(missing_docs, reason = "tests")]
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
+mod alone;
 mod bodies;
 mod changing;
 #[path = "../../examples/level_turn.rs"]

@@ -23,6 +23,8 @@ pub struct SystemEquations {
     pub switches: Vec<Switch>,
     pub partial: Vec<Partial>,
     left_out: Vec<String>,
+    /// Which joints move by the balances of a single body.
+    pub(super) alone: Vec<bool>,
     /// The tree with chosen origins and axes, after the reductions.
     pub(super) reduced: Tree,
     pub(super) built: Built,
@@ -48,16 +50,16 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
         (found, Some(closed))
     };
     let joints = built.links.iter().enumerate().map(|(joint, links)| {
-        let mut best = found.accelerations[links.clone()].concat();
-        if closed.is_none() {
-            let cost = |work: &Workspace, all: &[Id]| work.graph.late_cost(all).total();
-            let alone = tree::alone(system, work, joint);
-            let alone = alone.filter(|alone| cost(work, alone) <= cost(work, &best));
-            best = alone.unwrap_or(best);
-        }
-        best.into_iter().map(|one| work.graph.result(one)).collect()
+        let best = found.accelerations[links.clone()].concat();
+        let alone = closed.is_none().then(|| tree::alone(system, work, joint));
+        let cost = |work: &Workspace, all: &[Id]| work.graph.late_cost(all).total();
+        let alone = alone.flatten();
+        let alone = alone.filter(|alone| cost(work, alone) <= cost(work, &best));
+        let is_alone = alone.is_some();
+        let best = alone.unwrap_or(best).into_iter();
+        (best.map(|one| work.graph.result(one)).collect(), is_alone)
     });
-    let accelerations: Vec<Vec<Id>> = joints.collect();
+    let (accelerations, alone): (Vec<Vec<Id>>, Vec<bool>) = joints.unzip();
     for (joint, found) in system.joints.iter().zip(&accelerations) {
         let names = joint.kind.shape.into_iter().flat_map(|shape| shape.second);
         let names = names.flat_map(|field| field.names);
@@ -80,6 +82,7 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
         partial: list_partial(loads, work),
         accelerations,
         left_out: found.left_out,
+        alone,
         reduced: found.reduced,
         built,
         closed,

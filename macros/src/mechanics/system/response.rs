@@ -5,11 +5,13 @@
 //! ```
 //!
 //! r is the load along each freedom that inverse dynamics finds, less what acts there; so nothing
-//! of the elimination that gives the accelerations is differentiated, and M is factored once.
+//! of the elimination that gives the accelerations is differentiated, and M is factored once. The
+//! row of a body that is alone is its acceleration as it is solved: `a - a(x)`.
 
 use std::collections::HashMap;
 
 use crate::mechanics::tree::MassMatrix;
+use crate::mechanics::tree::link::Tree;
 use crate::model::{System, TreeJoint, Workspace};
 use crate::symbolic::Id;
 
@@ -37,8 +39,12 @@ impl Response {
         equations.closed.is_none().then_some(())?;
         let tree = moved_in_world(work, &equations.reduced);
         let given: Vec<Vec<Id>> = system.joints.iter().map(TreeJoint::accelerations).collect();
-        let lacking = lacking_with(work, equations, &tree, &given);
-        let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
+        let mut lacking = lacking_with(work, equations, &tree, &given);
+        let mut matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
+        for (freedom, (symbol, found)) in solved_alone(equations, &tree, &given) {
+            lacking[freedom] = work.graph.subtract(symbol, found);
+            matrix.separate(&mut work.graph, freedom, found);
+        }
         let found = matrix.solve(&mut work.graph, &mut work.labels);
         let order = order(system, &equations.built);
         let joints = system.joints.iter().zip(given);
@@ -62,4 +68,27 @@ impl Response {
         let found = self.matrix.solve(&mut work.graph, &mut work.labels);
         self.order.iter().map(|freedom| found[*freedom]).collect()
     }
+}
+
+/// The freedoms of bodies that are alone, each with the symbol of its acceleration and the solution.
+fn solved_alone(
+    equations: &SystemEquations,
+    tree: &Tree,
+    given: &[Vec<Id>],
+) -> Vec<(usize, (Id, Id))> {
+    let mut next = 0;
+    let mut all = Vec::new();
+    for (joint, links) in equations.built.links.iter().enumerate() {
+        let count: usize = tree.links[links.clone()]
+            .iter()
+            .map(|link| link.open().count())
+            .sum();
+        if equations.alone[joint] {
+            let solved = given[joint].iter().copied();
+            let solved = solved.zip(equations.accelerations[joint].iter().copied());
+            all.extend((next..next + count).zip(solved));
+        }
+        next += count;
+    }
+    all
 }

@@ -86,6 +86,17 @@ impl MassMatrix {
         }
     }
 
+    /// Takes the acceleration of a coordinate that nothing couples as known.
+    pub fn separate(&mut self, graph: &mut Graph, freedom: usize, acceleration: Id) {
+        let (zero, one) = (graph.zero(), graph.one());
+        for other in 0..self.rows.len() {
+            self.rows[freedom][other] = zero;
+            self.rows[other][freedom] = zero;
+        }
+        self.rows[freedom][freedom] = one;
+        self.driving[freedom] = acceleration;
+    }
+
     /// Solved from the last coordinate to the first, `L^T D L`.
     pub fn solve(&self, graph: &mut Graph, labels: &mut Labels) -> Vec<Id> {
         let (mut rows, mut driving) = (self.rows.clone(), self.driving.clone());

@@ -318,7 +318,7 @@ impl Writer<'_> {
             Potential::Well { strength, from, to } => {
                 let (from, to) = (self.place(from), self.place(to));
                 let strength = self.operand(strength);
-                format!("{strength} * bump(({to}.position() - {from}.position()).norm())")
+                format!("{strength} * bump(({to}.position() - {from}.position()).norm() / 1[m])")
             }
             Potential::Uniform { force, at } => {
                 let force = self.written_vector(Axes::World, force);

@@ -26,7 +26,8 @@ impl BareUnit {
         };
         unit.exponent(after);
         while let Some((sign, word, tokens)) = next(&after[unit.length - 1..]) {
-            unit.written.push_str(&format!(" {sign} {}", factor(word)));
+            unit.written.extend([' ', sign, ' ']);
+            unit.written.push_str(&factor(word));
             unit.length += tokens;
             unit.extent = unit.extent.to(word.span().into());
             unit.exponent(after);
@@ -50,7 +51,8 @@ impl BareUnit {
             }
             _ => return,
         };
-        self.written.push_str(&format!(" ^ {digits}"));
+        self.written.push_str(" ^ ");
+        self.written.push_str(&digits);
         self.length += 1 + length;
         self.extent = self.extent.to(span.into());
     }

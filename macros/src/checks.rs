@@ -143,7 +143,7 @@ impl Evidence<'_> {
                 })
             }
             _ => Some(format!(
-                "is not decided: the left side is {}, and the right side the same in thousands of bits, and nothing \
+                "is undecided: the left side is {}, the right side agrees with it to thousands of bits, and nothing \
              proves them equal",
                 shown(left)
             )),

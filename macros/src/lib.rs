@@ -17,6 +17,7 @@ mod outputs;
 mod range;
 mod symbolic;
 mod syntax;
+mod units;
 
 /// Expands a description after the path of the runtime, as passed by the macro of `newton-euler`.
 #[proc_macro]

@@ -8,17 +8,18 @@ use syn::punctuated::Punctuated;
 use syn::visit::Visit;
 
 /// What each room may import of the others.
-const ROOMS: [(&str, &[&str]); 14] = [
+const ROOMS: [(&str, &[&str]); 15] = [
     ("errors", &[]),
     ("families", &[]),
     ("fraction", &[]),
+    ("units", &[]),
     ("symbolic", &[]),
-    ("syntax", &["errors", "families", "fraction"]),
+    ("syntax", &["errors", "families", "fraction", "units"]),
     ("model", &["errors", "families", "fraction", "symbolic"]),
     (
         "lower",
         &[
-            "errors", "families", "fraction", "symbolic", "syntax", "model",
+            "errors", "families", "fraction", "units", "symbolic", "syntax", "model",
         ],
     ),
     ("mechanics", &["errors", "families", "symbolic", "model"]),

@@ -152,7 +152,7 @@ fn outputs_are_known() {
 
 #[test]
 fn units_are_known() {
-    let unit = |name| constant("macros/src/lower/expressions/unit.rs", name);
+    let unit = |name| constant("macros/src/units.rs", name);
     let (metric, prefixes) = (unit("METRIC"), unit("PREFIXES"));
     let prefixed = metric.iter().flat_map(|unit| {
         let prefixes = prefixes.iter();

@@ -24,7 +24,7 @@ pub enum Place {
     Unit,
     /// In an expression, not behind a dot.
     Name,
-    /// Behind a dot, with the name in front of the dot if it is one.
+    /// After a dot, with the name in front of the dot if it is one.
     Member(Option<Ident>),
 }
 
@@ -68,7 +68,7 @@ pub fn words(tokens: TokenStream) -> Vec<Word> {
     found.words
 }
 
-/// Brackets in brackets beyond this are not looked at.
+/// Brackets nested deeper than this are not read.
 const DEPTH: usize = 64;
 
 /// Words of expressions that name nothing.

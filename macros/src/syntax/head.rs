@@ -115,7 +115,7 @@ fn check_scalar(name: &Ident, scalar: &Ident, errors: &mut Errors) -> Option<()>
     check_name(scalar, "a scalar", errors)?;
     let message = if TYPES.contains(&&*scalar.to_string()) {
         format!(
-            "a parameter stands here, and no type: write `{name}::<T> {{ .. }}`, and \
+            "a parameter stands here, not a type: write `{name}::<T> {{ .. }}`, and \
              `{name}::<{scalar}>` where the body is used"
         )
     } else if scalar == name {

@@ -4,6 +4,7 @@
 //! nothing: it is reported, and the name that it would have defined stays known, without a value.
 //! Nothing is looked up here and nothing has a meaning yet.
 
+mod bare_unit;
 mod entries;
 mod expression;
 mod head;

@@ -8,6 +8,7 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Spacing, Span, TokenStream, 
 
 use crate::errors::{Errors, Extent};
 
+use super::bare_unit::{BareUnit, lacks_brackets};
 use super::tokens::{group_beyond, is_punct, start, token_beyond};
 use super::unit::UnitExpression;
 use super::words::is_keyword;
@@ -94,10 +95,13 @@ impl Screen<'_> {
                     shown.push(group);
                     Some(1)
                 }
+                TokenTree::Ident(word) if lacks_brackets(before, word) => {
+                    self.bare_unit(word, before, &tokens[index + 1..])
+                }
                 TokenTree::Ident(word) => {
-                    let word = self.word(word, before, &tokens[index + 1..]);
+                    let word = self.word(word, &tokens[index + 1..]);
                     word.map(|word| {
-                        shown.extend(word.map(TokenTree::Ident));
+                        shown.push(TokenTree::Ident(word));
                         1
                     })
                 }
@@ -194,28 +198,35 @@ impl Screen<'_> {
         TokenTree::Group(shown)
     }
 
-    /// A word as syn may read it: the inner `None` is omitted. A keyword in place of a name
-    /// becomes a raw name, because the entry that should have defined it was refused for it.
-    #[allow(clippy::option_option, reason = "outer: refused; inner: left out")]
-    fn word(
+    /// The number of tokens of a unit without brackets, which are left out: what stands around it
+    /// is still checked.
+    fn bare_unit(
         &mut self,
         word: &Ident,
         before: Option<&TokenTree>,
         after: &[TokenTree],
-    ) -> Option<Option<Ident>> {
-        let text = word.to_string();
-        if let Some(TokenTree::Literal(number)) = before
-            && !is_keyword(&text)
-        {
-            if after.first().is_some_and(is_parenthesised) {
-                let message =
-                    format!("a product is written with `*`: write `{number} * {word}(..)`");
-                return self.refuse(word.span(), &message);
-            }
-            let message = format!("a unit stands in brackets: write `{number}[{word}]`");
-            self.errors.push(word.span(), message);
-            return Some(None);
+    ) -> Option<usize> {
+        let number = match before {
+            Some(TokenTree::Literal(number)) => number.to_string(),
+            _ => String::new(),
+        };
+        if after.first().is_some_and(is_parenthesised) {
+            let message = format!("a product is written with `*`: write `{number} * {word}(..)`");
+            return self.refuse(word.span(), &message);
         }
+        let unit = BareUnit::read(word, after);
+        let message = format!(
+            "a unit stands in brackets: write `{number}[{}]`",
+            unit.written
+        );
+        self.errors.push(unit.extent, message);
+        Some(unit.length)
+    }
+
+    /// A word as syn may read it. A keyword in place of a name becomes a raw name, because the
+    /// entry that should have defined it was refused for it.
+    fn word(&mut self, word: &Ident, after: &[TokenTree]) -> Option<Ident> {
+        let text = word.to_string();
         if let [bang, next, ..] = after
             && is_punct(bang, '!')
             && !is_keyword(&text)
@@ -225,7 +236,7 @@ impl Screen<'_> {
             return self.refuse(place, "no macro can be called here");
         }
         if matches!(text.as_str(), "if" | "else" | "true" | "false") || !is_keyword(&text) {
-            return Some(Some(word.clone()));
+            return Some(word.clone());
         }
         if text == "as" {
             return self.refuse(
@@ -240,7 +251,7 @@ impl Screen<'_> {
             Some(_) => false,
         };
         if is_name && !matches!(text.as_str(), "self" | "Self" | "super" | "crate") {
-            return Some(Some(Ident::new_raw(&text, word.span())));
+            return Some(Ident::new_raw(&text, word.span()));
         }
         let message = if text == "box" {
             "`box` is a keyword of Rust: the solid is called `cuboid`".to_owned()

@@ -6,6 +6,7 @@ use syn::{Lit, LitStr};
 
 use crate::errors::Errors;
 
+use super::bare_unit::{is_unit_word, lacks_brackets};
 use super::words::is_keyword;
 
 /// The appearance of the beginning of an entry, for the detection of a missing comma.
@@ -66,7 +67,9 @@ fn begins(entry: Entry, name: &Ident, before: &[TokenTree], after: Option<&Token
         && match entry {
             Entry::Key => followed_by(':'),
             Entry::Declared if !is_keyword(&name.to_string()) => {
-                followed_by('=') || !matches!(before, [.., TokenTree::Literal(_)])
+                followed_by('=')
+                    || !(lacks_brackets(before.last(), name)
+                        || before.len() == 1 && is_unit_word(name))
             }
             Entry::Declared | Entry::Defined => followed_by('='),
         }

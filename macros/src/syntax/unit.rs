@@ -94,7 +94,7 @@ fn power(rest: &mut &[TokenTree], around: &Group, errors: &mut Errors) -> Option
         {
             return errors.report(
                 number.span(),
-                "no number stands in a unit, except in `1 / unit`: write it in front of the \
+                "a unit contains no number, except in `1 / unit`: write it in front of the \
                  brackets",
             );
         }

@@ -7,7 +7,7 @@ use core::ops::Range;
 use crate::bodies::columns::{Columns, Sink, Source};
 use crate::numbers::lanes::{Lanes, Register};
 
-/// The number of members of a block: a cache line per number, in one, two or eight registers.
+/// The number of members of a block: one cache line per number.
 pub(super) const BLOCK: usize = 8;
 
 /// One number of each member of a block.
@@ -15,8 +15,8 @@ pub(super) type Eight = [f64; BLOCK];
 
 /// A list of values, kept as columns of their scalars.
 ///
-/// The columns are cut into blocks of eight values, stored one after another, so
-/// a block is read from one place in memory however many columns there are.
+/// The columns are cut into blocks of eight values, stored one after another. A block is therefore
+/// contiguous in memory, however many columns there are.
 ///
 /// ```
 /// use newton_euler::nalgebra::Vector3;
@@ -196,8 +196,7 @@ impl Sink<f64> for ColumnMut<'_> {
     }
 }
 
-/// As many members of a block as a register holds, the first ones or the following ones, by an
-/// index.
+/// As many members of a block as a register holds: the group with this index.
 pub(super) struct Group<'a, S> {
     pub(super) simd: S,
     pub(super) rows: &'a [Eight],

@@ -1,4 +1,4 @@
-//! All members from their start to the end, with changing inputs, and their observation.
+//! The course of all members from start to end, with changing inputs, and its observation.
 
 #![allow(
     clippy::float_cmp,
@@ -56,7 +56,7 @@ pub(super) struct EnsembleCourse<'e, B: Generic, M, C> {
     end: f64,
     /// The time until which the current inputs are held.
     held_until: f64,
-    /// Members that did not come this far, if the others go on without them.
+    /// Members that failed before, if the others continue without them.
     lost: Option<Vec<MemberError<B::State>>>,
     #[cfg(feature = "progress")]
     bar: Option<Bar>,

@@ -32,7 +32,7 @@ impl<B: Generic> Ensemble<B> {
     /// The same, replacing given accelerations.
     ///
     /// # Panics
-    /// If there are not as many accelerations as members.
+    /// If the number of accelerations differs from the number of members.
     pub fn accelerate(&self, time: f64, accelerations: &mut Blocks<Acceleration<B>>) {
         assert_eq!(
             accelerations.len(),

@@ -16,20 +16,20 @@ use crate::integrate::{Event, Integrate};
 pub struct MemberEvent<S> {
     /// The index of the member, from zero.
     pub index: usize,
-    /// The time of the event, and the member's state at it.
+    /// The time of the event, and the state of the member at that time.
     pub event: Event<S>,
 }
 
 impl<B: Generic + Integrate, M: Moves<B>> EnsembleIntegration<'_, B, M, AsGiven> {
-    /// Moves all members to the end \[s\] and returns the events of a function of time, member and
-    /// state: those of the first member in their order, then those of
-    /// the second, as [`Integration::events`](crate::integrate::Integration::events) finds them.
+    /// Moves all members to the end \[s\]. Returns the events of a function of time, member and
+    /// state as [`Integration::events`](crate::integrate::Integration::events) finds them: those of
+    /// the first member in order of time, then those of the second, and so on.
     ///
-    /// Members move one by one, under their current inputs, and no bar is shown.
+    /// Members move one by one, under their current inputs. No progress bar is shown.
     ///
     /// # Errors
-    /// [`MemberError`] with a member that does not reach the end, or whose function is NaN;
-    /// the ensemble keeps its states.
+    /// [`MemberError`] with a member that does not reach the end, or whose function is NaN; the
+    /// ensemble then keeps its states.
     pub fn events<F>(
         self,
         end: f64,

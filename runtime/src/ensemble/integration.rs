@@ -149,8 +149,8 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         }
     }
 
-    /// Shows no bar. By default, a motion that takes longer than a second shows one on standard
-    /// error, with its progress and the remaining time, if standard error is a terminal.
+    /// Shows no progress bar. By default, a motion that takes longer than a second shows one on
+    /// standard error, with the remaining time, if standard error is a terminal.
     #[cfg(feature = "progress")]
     pub fn quiet(self) -> Self {
         Self {
@@ -173,8 +173,8 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
     }
 
     /// Moves the members that can reach the end \[s\], and returns the errors of the others, in
-    /// order. These keep their last good states, and do not delay the others. A controller is
-    /// called for them as well.
+    /// order. Members that fail keep their last valid states, and do not delay the others. A
+    /// controller is called for them as well.
     #[must_use = "these members are not at the end"]
     pub fn each_to(self, end: f64) -> Vec<MemberError<B::State>>
     where

@@ -1,9 +1,9 @@
 //! Many bodies of one kind.
 //!
-//! Their states, inputs and parameters are stored in columns. They are evaluated and moved
-//! several at a time, in the widest registers of the processor, detected at run time, so
-//! the build needs no flags. A member moves as it would alone, to the bit, whatever
-//! its neighbors, the width of registers and the number of threads.
+//! Their states, inputs and parameters are stored in columns. They are evaluated and moved several
+//! at a time, in the widest registers of the processor. These are detected at run time, so the
+//! build needs no flags. A member moves as it would alone, to the bit, whatever its neighbors, the
+//! width of registers and the number of threads.
 //!
 //! The feature `rayon` uses all processor cores; `progress` shows a bar for long runs, in terminals.
 
@@ -201,8 +201,8 @@ impl<B: Generic> Ensemble<B> {
         self.width
     }
 
-    /// Sets the width of registers, or the next narrower that the processor has; the
-    /// results are the same.
+    /// Sets the width of registers, or the next narrower one that the processor has. The results do
+    /// not depend on it.
     pub fn set_width(&mut self, width: Width) {
         let narrower = Width::ALL.into_iter().rev();
         let mut there = narrower.filter(|other| *other <= width && other.is_there());

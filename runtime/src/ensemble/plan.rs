@@ -27,8 +27,8 @@ impl Limits {
         }
     }
 
-    /// The time up to which the equations of a member do not change, at most the end; its stretch
-    /// is replaced if it is over.
+    /// The time up to which the equations of a member do not change, at most the end. A stretch
+    /// that is over is replaced.
     #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn until<L: RigidBody>(
         &self,

@@ -8,8 +8,8 @@ use super::Ensemble;
 use crate::bodies::columns::Generic;
 
 impl<B: Generic> Ensemble<B> {
-    /// As [`Self::cf4`], with a bar on standard error that shows the steps done and the time left.
-    /// Nothing is shown where standard error is no terminal.
+    /// Like [`Self::cf4`], with a progress bar on standard error that shows the completed steps and
+    /// the remaining time. Nothing is shown if standard error is not a terminal.
     pub fn cf4_with_progress(&mut self, times: Range<f64>, steps: usize) {
         let bar = ProgressBar::new(steps as u64).with_style(style());
         self.cf4_observed(times, steps, |done| bar.set_position(done as u64));

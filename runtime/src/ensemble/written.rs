@@ -1,5 +1,5 @@
-//! Ensembles as they are serialised: states as states, parameters and inputs as lists of numbers,
-//! all checked on reading.
+//! Serialized ensembles: states as states, parameters and inputs as lists of numbers. All are
+//! checked on reading.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -12,7 +12,7 @@ use crate::bodies::columns::{Columns, Generic, Sink, Source};
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Ensemble")]
 struct Written<S> {
-    /// The parameters of each member; one list if all are the same.
+    /// The parameters of each member, or a single list if all are the same.
     params: Vec<Vec<f64>>,
     states: Vec<S>,
     inputs: Vec<Vec<f64>>,

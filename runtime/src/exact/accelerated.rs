@@ -21,7 +21,7 @@ use crate::state::Coordinates;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accelerated<S: Coordinates<Scalar = f64>> {
-    /// The state at time zero: of none that has an attitude or an axis.
+    /// The state at time zero, which has no attitude and no axis.
     pub start: S,
     /// Its acceleration.
     pub acceleration: S::Acceleration,

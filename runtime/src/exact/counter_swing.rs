@@ -4,8 +4,8 @@ use crate::bodies::path::Path;
 use crate::exact::{Accelerated, Pendulum};
 use crate::state::Hinge;
 
-/// A hinge on a pendulum, whose moment on the pendulum is constant: both angles together have a
-/// constant acceleration, as a wheel keeps its attitude.
+/// A hinge on a pendulum, with a constant moment on the pendulum. Their combined angle has a
+/// constant acceleration, as for a wheel that keeps its attitude.
 ///
 /// ```
 /// use newton_euler::exact::{Accelerated, CounterSwing, Path, Pendulum};
@@ -26,7 +26,7 @@ pub struct CounterSwing {
     pub total: Accelerated<Hinge>,
     /// The pendulum.
     pub swing: Pendulum,
-    /// 1 where both turn about the same direction, -1 about opposite ones.
+    /// 1 if both rotate about the same direction, -1 if about opposite ones.
     pub sign: f64,
 }
 

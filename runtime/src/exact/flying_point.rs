@@ -7,8 +7,8 @@ use crate::bodies::path::Path;
 use crate::numbers::math;
 use crate::state::{Hinge, Planar, Rotation, Spatial};
 
-/// A body that flies, seen from one of its points: the center of mass, at a fixed offset c from the
-/// point, moves on a parabola.
+/// A flying body, described by the motion of one of its points. The center of mass, at a fixed
+/// offset c from the point, moves on a parabola.
 ///
 /// ```
 /// use newton_euler::exact::{FlyingPoint, FreeRotation, Path};

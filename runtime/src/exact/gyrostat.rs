@@ -10,27 +10,27 @@ use crate::numbers::scale;
 use crate::numbers::twofold::Twofold;
 use crate::state::Rotation;
 
-/// A body that carries rotors about its axis of symmetry e: a dual-spin satellite. Drives may turn
-/// the rotors, and a moment along e the whole, all of them constant.
+/// A body that carries rotors about its axis of symmetry e, such as a dual-spin satellite. Drives
+/// may turn the rotors, and a moment along e may turn the whole; all of these loads are constant.
 ///
-/// With A the moment of inertia of all of it across the axis, r the rate about it, and h the angular
-/// momentum along it, rotors and all,
+/// Let A be the moment of inertia of the whole across the axis, r the rate of the body about it,
+/// and h the angular momentum along it, including the rotors:
 ///
 /// ```text
 /// w' = n w × e + r' e        n = r - h/A; n' and r' constant
 /// ```
 ///
-/// Where there is no moment from outside, h is kept, and n' is r'. So is, seen from axes that turn by θ, the
-/// vector `w - n e`, which is the angular momentum over A:
+/// Without an external moment, h is constant, and n' is r'. In axes that turn by θ, the vector `w -
+/// n e` is then constant too; it is the angular momentum over A:
 ///
 /// ```text
 /// q(t) = q(0) exp(t (w(0) - n e)) exp(θ e)      θ = n t + n' t²/2
 /// w(t) = w(0) + r' t e, turned about e by -θ
 /// ```
 ///
-/// J. Wittenburg, Dynamics of Multibody Systems (2008), 4.6. Otherwise that vector sweeps, as under an
-/// [`AxialTorque`](super::AxialTorque). The error is about that of one rounding of the inputs: a few
-/// 1e-16 for each radian turned.
+/// J. Wittenburg, Dynamics of Multibody Systems (2008), 4.6. With a moment, that vector sweeps, as
+/// under an [`AxialTorque`](super::AxialTorque). The error is about that of one rounding of the
+/// inputs: a few 1e-16 per radian turned.
 ///
 /// ```
 /// use newton_euler::exact::{Gyrostat, Path};

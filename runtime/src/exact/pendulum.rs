@@ -12,8 +12,8 @@ use crate::state::Hinge;
 /// π/2 minus the nearest double.
 const QUARTER_REST: f64 = 6.123_233_995_736_766e-17;
 
-/// A cosine of half the angle: below it, next to upright, tilts are measured from upright, and keep
-/// their digits.
+/// A cosine of half the angle. Below it, near upright, tilts are measured from upright, so they
+/// keep their digits.
 const NEAR: f64 = 1e-5;
 
 /// A cosine of half the angle: squares of larger ones do not underflow.
@@ -30,9 +30,9 @@ const LEAST: f64 = 1e-150;
 /// ```
 ///
 /// k' is written as a product, and keeps its digits near the separatrix between the two. The angle
-/// is not wrapped. Next to upright its digits are those of the remaining tilt; a tilt below 1e-150
-/// at rest stays upright. If θ₀ is the double nearest to a multiple of a quarter turn, it is
-/// taken as that multiple.
+/// is not wrapped. Near upright it has the digits of the remaining tilt; a pendulum at rest with a
+/// tilt below 1e-150 stays upright. If θ₀ is the double nearest to a multiple of a quarter turn, it
+/// is taken as that multiple.
 ///
 /// ```
 /// use newton_euler::exact::{Path, Pendulum};
@@ -81,7 +81,7 @@ impl Pendulum {
         };
         let (mut sine, mut cosine) = half_from(wrapped);
         if cosine < NEAR {
-            // measured from upright; rounding may have moved turns to its other side
+            // measured from upright; rounding may have moved whole turns to the other side
             let side = f64::copysign(1.0, sine);
             let (tilt, upright) = half_from(wrapped + side);
             (sine, cosine) = (side * upright, -side * tilt);
@@ -154,7 +154,7 @@ fn half_turns(number: f64) -> Twofold {
     Twofold::product(PI, number) + Twofold::from(2.0 * QUARTER_REST * number)
 }
 
-/// An angle, with doubles nearest to quarter turns taken as these.
+/// An angle; the doubles nearest to quarter turns count as quarter turns.
 #[expect(clippy::float_cmp, reason = "one double stands for a quarter turn")]
 fn exact(angle: f64) -> Twofold {
     let quarters = math::floor(angle / FRAC_PI_2 + 0.5);

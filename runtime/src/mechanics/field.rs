@@ -8,19 +8,19 @@
 //! and, if Σ e ≠ 0,   K = r₀ × F,   r₀ = Σ e r / Σ e
 //! ```
 //!
-//! The moment is computed from p, so without a net charge it is a couple and no special case.
-//! Gravity is the case in which e is mass and E its acceleration g: r₀ is the center of mass, and
-//! about it p = 0.
+//! The moment is computed from p. A body without a net charge is therefore no special case: its
+//! moment is a couple. Gravity is the case in which e is mass and E is the acceleration g. Then r₀
+//! is the center of mass, and about it p = 0.
 
 use nalgebra::Vector3;
 
 use crate::mechanics::wrench::Wrench;
 use crate::numbers::twofold::Twofold;
 
-/// The charges of a body, as a uniform field sees them: their sum and their dipole moment.
+/// The charges of a body in a uniform field: their sum and their dipole moment.
 ///
-/// Charges are in any unit, fields in newtons per that unit; positions, field, force and moment are
-/// in the same axes. For charges given in the body, rotate the field into body axes.
+/// Charges may be in any unit; fields are in newtons per that unit. Positions, field, force and
+/// moment are in the same axes. If charges are given in body axes, rotate the field into them.
 ///
 /// ```
 /// use newton_euler::nalgebra::Vector3;
@@ -46,9 +46,9 @@ impl Charges {
     /// The sums Σ e and Σ e r of charges e at positions r \[m\], finite numbers; zero for no
     /// charges.
     ///
-    /// Sums are formed in twice the precision, so opposite charges and far origins cost no
-    /// digits: they are right to rounding unless they are 1e-16 times smaller than their largest
-    /// term, with an absolute error of 1e-32 times that term.
+    /// Sums are formed in twice the precision, so opposite charges and far origins cost no digits.
+    /// A sum is correct to rounding unless it is 1e-16 times smaller than its largest term; then
+    /// its absolute error is 1e-32 times that term.
     ///
     /// ```
     /// use newton_euler::nalgebra::Vector3;
@@ -78,9 +78,8 @@ impl Charges {
         }
     }
 
-    /// The largest sum of charges, relative to the sum of their magnitudes, that may be
-    /// rounding of the charges themselves, which is up to half of this: 0.1, 0.2 and -0.3 sum to
-    /// 2.8e-17.
+    /// A sum of charges up to this fraction of the sum of their magnitudes may be nothing but
+    /// rounding of the charges, which is up to half of this: 0.1, 0.2 and -0.3 sum to 2.8e-17.
     pub const NEUTRAL: f64 = f64::EPSILON;
 
     /// Σ e.
@@ -98,9 +97,9 @@ impl Charges {
     /// r₀ = Σ e r / Σ e (34.8), where the field's resultant acts \[m\]; the center of mass, if
     /// charges are masses.
     ///
-    /// None if there is no net charge: if |Σ e| is at most [`Self::NEUTRAL`] times Σ |e|. Above
-    /// that, for nearly neutral bodies it is far away and has as few digits as the charges
-    /// determine; force and moment do not depend on it.
+    /// None if there is no net charge: if |Σ e| is at most [`Self::NEUTRAL`] times Σ |e|. For a
+    /// nearly neutral body the point is far away, and has as few digits as the charges determine;
+    /// force and moment do not depend on it.
     ///
     /// ```
     /// use newton_euler::nalgebra::Vector3;

@@ -54,7 +54,7 @@ fn annihilated<const A: usize, const B: usize, const C: usize>(
     j: &mut Matrix3<f64>,
 ) -> Option<Quaternion<f64>> {
     let product = j[(A, B)];
-    // relative to the moments of this plane: the remainder changes neither beyond rounding
+    // relative to the moments of this plane: what is left changes neither beyond rounding
     let negligible = f64::EPSILON * f64::EPSILON / 64.0 * (j[(A, A)] * j[(B, B)]).abs();
     let is_there = product * product > negligible;
     if !is_there {

@@ -1,7 +1,7 @@
 //! Elementary functions: the names and meanings of std's methods on `f64`, in libm.
 //!
-//! The whole library, including generated code, takes its elementary functions from here, so
-//! results do not depend on the platform's.
+//! The whole library, including generated code, takes its elementary functions from here. Results
+//! therefore do not depend on the platform's library.
 
 /// Functions of one number, forwarded to libm.
 macro_rules! unary {

@@ -1,19 +1,19 @@
-//! Sine and cosine in single precision, without arithmetic in doubles: processors of small devices
-//! compute doubles by software.
+//! Sine and cosine in single precision without doubles, which small processors compute in software.
 //!
 //! Multiples of π/2 are subtracted in four parts (W. Cody, W. Waite, "Software manual for the
-//! elementary functions", 1980), of which the first three times a multiple are exact; from
-//! [`LARGEST`] on, in integers, with as many digits of 2/π as count (M. Payne, R. Hanek, ACM SIGNUM
-//! Newsletter 18 (1983) 19). The polynomials are those of S. Moshier's Cephes library. Errors are
-//! below 0.85 units in the last place, for angles of any size (`tests/scalars/single.rs`).
+//! elementary functions", 1980); the first three times a multiple are exact. From [`LARGEST`] on,
+//! they are subtracted in integers, with as many digits of 2/π as are needed (M. Payne, R. Hanek,
+//! ACM SIGNUM Newsletter 18 (1983) 19). The polynomials are those of S. Moshier's Cephes library.
+//! Errors are below 0.85 units in the last place, for angles of any size
+//! (`tests/scalars/single.rs`).
 
 use core::f32::consts::FRAC_2_PI;
 
 /// π/2 in parts: 8, 11 and 10 bits, and the remainder.
 const PARTS: [f32; 4] = [1.570_312_5, 4.837_513e-4, 7.549_533_6e-8, 2.563_344e-12];
-/// Below it the first parts times a multiple are exact: 8192 π/2.
+/// Up to this, 8192 π/2, the first parts times a multiple are exact.
 const LARGEST: f32 = 12_800.0;
-/// Below it the sine is the angle, and the cosine is one, both rounded.
+/// Up to this, the sine rounds to the angle, and the cosine to one.
 const SMALLEST: f32 = 2.4e-4;
 /// 3 2²²: adding it to a number rounds the number to an integer, which the last bits then hold.
 const ROUND: f32 = 12_582_912.0;
@@ -86,7 +86,8 @@ fn by_parts(angle: f32) -> (u32, f32, f32) {
 fn by_digits(angle: f32) -> (u32, f32, f32) {
     let bits = angle.to_bits();
     let mantissa = u64::from((bits & 0x7f_ffff) | 0x80_0000);
-    // digits before this one give whole turns; 150: of the power of two of the mantissa
+    // digits before this one give whole turns; 150 is the exponent bias of the mantissa as an
+    // integer
     let first = ((bits >> 23) & 0xff) + 30 - 150;
     let (word, shift) = ((first / 32) as usize, first % 32);
     let digits = |place: usize| {

@@ -14,13 +14,14 @@ pub(super) struct Axis {
     to: f64,
 }
 
-/// The largest numbers that are shown: differences of larger ones may overflow.
+/// The largest number that is shown: the difference of larger ones may overflow.
 const LARGEST: f64 = 1e300;
-/// Smaller ones are shown as zero: parts of them may be none.
+/// The smallest number that is shown: smaller ones count as zero, because their fractions may
+/// underflow.
 const SMALLEST: f64 = 1e-290;
 
 impl Axis {
-    /// An axis for some numbers; those that are not finite do not count.
+    /// An axis for some numbers, without those that are not finite.
     pub(super) fn covering(numbers: impl Iterator<Item = f64>, [from, to]: [f64; 2]) -> Self {
         let finite = numbers.filter(|number| number.is_finite());
         let (mut low, mut high) = finite
@@ -62,7 +63,7 @@ impl Axis {
         }
     }
 
-    /// The same range with at most this many pixels for a unit, in the middle.
+    /// The same range with at most this many pixels per unit, centered.
     pub(super) fn at_scale(self, scale: f64) -> Self {
         let half = 0.5 * (self.to - self.from).abs() / scale;
         let middle = 0.5 * (self.low + self.high);
@@ -83,7 +84,7 @@ impl Axis {
         self.from + (number - self.low) / (self.high - self.low) * (self.to - self.from)
     }
 
-    /// Round numbers in the range, at most a few, with their texts in units of a power of ten.
+    /// Round numbers in the range, at most a few, with their labels in units of a power of ten.
     pub(super) fn ticks(&self, most: u32) -> Ticks {
         let rough = (self.high - self.low) / f64::from(most);
         let decade = 10_f64.powf(rough.log10().floor());
@@ -116,7 +117,7 @@ impl Axis {
     }
 }
 
-/// The decimals that tell the multiples of a step apart, at most twelve.
+/// The decimals that distinguish the multiples of a step, at most twelve.
 fn decimals(step: f64) -> usize {
     (0..12)
         .find(|decimals| {
@@ -129,7 +130,7 @@ fn decimals(step: f64) -> usize {
 /// The ticks of an axis.
 pub(super) struct Ticks {
     pub(super) all: Vec<(f64, String)>,
-    /// The exponent of the power of ten by which the texts are divided.
+    /// The power of ten by which the labels are divided.
     exponent: f64,
 }
 

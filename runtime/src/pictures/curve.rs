@@ -51,7 +51,7 @@ impl fmt::Display for UnknownColumn {
 
 impl core::error::Error for UnknownColumn {}
 
-/// The columns with these names. The name of a part stands for all of its columns.
+/// The columns with these names. The name of a part selects all of its columns.
 pub(super) fn columns<S: Columns<f64> + Named>(
     samples: &[Sample<S>],
     names: &[&str],
@@ -105,7 +105,7 @@ fn numbers(value: &impl Columns<f64>) -> Vec<f64> {
     list.0
 }
 
-/// The names of some curves without what all of them begin with, and that.
+/// The names of some curves without their common beginning, and that beginning.
 pub(super) fn short_names(curves: &[&Curve]) -> (String, Vec<String>) {
     let [first, rest @ ..] = curves else {
         return (String::new(), Vec::new());

@@ -4,7 +4,7 @@ use std::fmt::{self, Write as _};
 use std::format;
 use std::string::String;
 
-/// Text with the signs of markup escaped. Signs that XML does not allow are replaced.
+/// Text with the characters of markup escaped. Characters that XML does not allow are replaced.
 pub(super) struct Escaped<'t>(pub(super) &'t str);
 
 impl fmt::Display for Escaped<'_> {
@@ -35,8 +35,8 @@ pub(super) fn short(number: f64, decimals: usize) -> String {
     String::from(if text == "-0" { "0" } else { text })
 }
 
-/// The colors of curves and solids, as red, green and blue: after M. Okabe and K. Ito, "Color
-/// universal design", 2008, darkened where they would be faint as text on white.
+/// The colors of curves and solids, as red, green and blue, after M. Okabe and K. Ito, "Color
+/// universal design", 2008. Those that would be faint as text on white are darkened.
 pub(super) const COLORS: [[u8; 3]; 7] = [
     [0x00, 0x72, 0xb2],
     [0xd5, 0x5e, 0x00],
@@ -58,7 +58,7 @@ const ON_DARK: [[u8; 3]; 7] = [
     [0xc4, 0xc4, 0xc4],
 ];
 
-/// Curves beyond the number of colors repeat them with dashes.
+/// Curves beyond the number of colors repeat the colors with dashes.
 pub(super) const DASHES: [&str; 3] = ["", "6 3", "2 3"];
 
 /// The rules of style that all pictures share.

@@ -1,5 +1,5 @@
-//! Pictures of motions, as files that need nothing else: plots in SVG, and pages with moving
-//! solids. They have no scripts, and load nothing.
+//! Pictures of motions as self-contained files: plots in SVG, and pages with moving solids. They
+//! contain no scripts and load nothing.
 //!
 //! ```no_run
 //! use newton_euler::pictures::{Page, Plot, Solid};
@@ -25,8 +25,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Numbers that are infinite or NaN leave a gap. Colors differ for the color-blind, and follow the
-//! reader's choice of light or dark.
+//! Numbers that are infinite or NaN leave a gap. Colors can be told apart by color-blind readers,
+//! and follow the reader's choice of light or dark.
 
 mod axis;
 mod curve;

@@ -25,7 +25,7 @@ transform-origin:0 0;transform-style:preserve-3d}.body i{backface-visibility:hid
 #pause:checked~*,#pause:checked~* *{animation-play-state:paused!important}\
 @media(prefers-reduced-motion:reduce){*{animation-play-state:paused!important}}";
 
-/// A page that shows a motion: moving solids, and plots with a cursor. It is one file of HTML,
+/// A page that shows a motion: moving solids, and plots with a cursor. It is a single HTML file
 /// without scripts, and plays in any browser.
 ///
 /// ```
@@ -58,7 +58,7 @@ pub struct Page<'s, S> {
 }
 
 impl<'s, S> Page<'s, S> {
-    /// A page of samples, with nothing on it yet. It repeats the motion in real time.
+    /// An empty page for some samples. It repeats the motion in real time.
     #[must_use]
     pub fn of(samples: &'s [Sample<S>]) -> Self {
         Self {
@@ -92,7 +92,7 @@ impl<'s, S> Page<'s, S> {
         }
     }
 
-    /// Adds a solid whose pose is a function of time and state: of a body of a system.
+    /// Adds a solid whose pose is a function of time and state, such as a body of a system.
     #[must_use]
     pub fn solid_at(mut self, solid: Solid, pose: impl Fn(f64, &S) -> Pose) -> Self {
         let poses = self.samples.iter();
@@ -107,7 +107,7 @@ impl<'s, S> Page<'s, S> {
     /// Adds the plot of the columns with these names: see [`Plot::of`].
     ///
     /// # Errors
-    /// [`UnknownColumn`], for a name that is none of the state.
+    /// [`UnknownColumn`], for a name that is not a column of the state.
     pub fn curves(self, names: &[&str]) -> Result<Self, UnknownColumn>
     where
         S: Columns<f64> + Named,
@@ -116,7 +116,7 @@ impl<'s, S> Page<'s, S> {
         Ok(self.plot(plot))
     }
 
-    /// Adds a plot. If it is drawn against time, a cursor moves along.
+    /// Adds a plot. If its horizontal axis is time, a cursor moves along.
     #[must_use]
     pub fn plot(mut self, plot: Plot<'s, S>) -> Self {
         self.plots.push(plot);
@@ -130,8 +130,8 @@ impl<'s, S> Page<'s, S> {
         self
     }
 
-    /// Shows the solids with z up, from an azimuth, anticlockwise from the x-axis, and a height
-    /// above the horizon \[rad\].
+    /// Shows the solids with z up, seen from an azimuth, anticlockwise from the x-axis, and an
+    /// elevation above the horizon \[rad\].
     #[must_use]
     pub fn seen_from(mut self, azimuth: f64, elevation: f64) -> Self {
         self.view = View::from(azimuth, elevation);

@@ -12,13 +12,13 @@ use super::markup::{COLORS, DASHES, Escaped, short, style};
 use crate::bodies::columns::{Columns, Named};
 use crate::integrate::Sample;
 
-/// The size of a picture without labels at curves, and of its margins, in pixels.
+/// The size of a picture without the labels of curves, and the size of its margins, in pixels.
 const WIDTH: f64 = 720.0;
 const HEIGHT: f64 = 190.0;
 const TOP: f64 = 14.0;
 const BOTTOM: f64 = 42.0;
 const TITLE: f64 = 26.0;
-/// The width of a sign, and the height of a line.
+/// The width of a character, and the height of a line.
 const SIGN: f64 = 6.8;
 const LINE: f64 = 14.0;
 
@@ -55,11 +55,11 @@ pub struct Plot<'s, S> {
 }
 
 impl<'s, S: Columns<f64> + Named> Plot<'s, S> {
-    /// The columns with these names against time. The name of a part, such as `velocity`, stands
-    /// for all of its columns.
+    /// The columns with these names against time. The name of a part, such as `velocity`, selects
+    /// all of its columns.
     ///
     /// # Errors
-    /// [`UnknownColumn`], for a name that is no column of the state, and no part with columns.
+    /// [`UnknownColumn`], for a name that is neither a column of the state nor a part with columns.
     pub fn of(samples: &'s [Sample<S>], names: &[&str]) -> Result<Self, UnknownColumn> {
         let curves = columns(samples, names)?;
         Ok(Self {
@@ -70,7 +70,7 @@ impl<'s, S: Columns<f64> + Named> Plot<'s, S> {
 }
 
 impl<'s, S> Plot<'s, S> {
-    /// A plot without curves yet, for states of any type.
+    /// An empty plot, for states of any type.
     #[must_use]
     pub fn empty(samples: &'s [Sample<S>]) -> Self {
         Self {
@@ -97,7 +97,7 @@ impl<'s, S> Plot<'s, S> {
         self
     }
 
-    /// Draws both axes to one scale, for paths in a plane.
+    /// Draws both axes to the same scale, for paths in a plane.
     #[must_use]
     pub fn to_scale(mut self) -> Self {
         self.has_equal_scales = true;
@@ -119,7 +119,7 @@ impl<'s, S> Plot<'s, S> {
         std::fs::write(path, self.to_string())
     }
 
-    /// Whether a cursor that moves in time fits to it.
+    /// Whether a cursor that moves with time is possible.
     pub(super) fn is_against_time(&self) -> bool {
         let times = self.samples.iter().map(|sample| sample.time.to_bits());
         times.eq(self.across.numbers.iter().map(|time| time.to_bits()))
@@ -154,7 +154,7 @@ impl<'s, S> Plot<'s, S> {
         drawn
     }
 
-    /// The curves of a unit, and the space for their labels.
+    /// The curves with the same unit, and the space for their labels.
     fn panel(&self, unit: &str) -> Panel<'_> {
         let curves = self.curves.iter();
         let curves: Vec<_> = curves.filter(|curve| curve.unit == unit).collect();
@@ -175,7 +175,8 @@ impl<'s, S> Plot<'s, S> {
         }
     }
 
-    /// The axes of a panel: across, in its place, and up, between zero and its height.
+    /// The axes of a panel: the horizontal one over its place, the vertical one from zero to its
+    /// height.
     fn axes(&self, panel: &Panel<'_>, across: [f64; 2]) -> (Axis, Axis, f64) {
         let x = Axis::covering(self.across.numbers.iter().copied(), across);
         if !self.has_equal_scales {
@@ -253,7 +254,7 @@ impl<'s, S> Plot<'s, S> {
     }
 }
 
-/// Labels at the ends of curves, next to the right side, apart from each other.
+/// Labels at the ends of curves, on the right, moved apart where they would overlap.
 fn label(out: &mut String, right: f64, height: f64, mut ends: Vec<([f64; 2], usize, &String)>) {
     ends.retain(|(_, _, label)| !label.is_empty());
     ends.sort_by(|(one, ..), (other, ..)| one[1].total_cmp(&other[1]));
@@ -284,8 +285,8 @@ fn label(out: &mut String, right: f64, height: f64, mut ends: Vec<([f64; 2], usi
     }
 }
 
-/// The path through some points. A point that is not finite is a gap, and one beside gaps is a dot;
-/// points that cannot be told apart are drawn once.
+/// The path through some points. A point that is not finite leaves a gap; a point between gaps is a
+/// dot. Points that cannot be distinguished are drawn once.
 pub(super) fn path(points: impl Iterator<Item = [f64; 2]>) -> String {
     let mut path = String::new();
     let mut last: Option<[f64; 2]> = None;

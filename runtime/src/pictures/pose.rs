@@ -31,13 +31,13 @@ impl Pose {
     }
 }
 
-/// A state that says where the body is. The state of a hinge does not: its axis and its place are
-/// in the description.
+/// A state that contains the place of the body. The state of a hinge does not: its axis and its
+/// place are in the description.
 pub trait Posed {
-    /// Whether the body stays in the plane of x and y.
+    /// Whether the body stays in the x-y plane.
     const IS_PLANAR: bool;
 
-    /// The pose of the body. G is in the origin if the state has no position.
+    /// The pose of the body. G is at the origin if the state has no position.
     fn pose(&self) -> Pose;
 }
 

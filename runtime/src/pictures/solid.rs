@@ -124,7 +124,8 @@ impl Solid {
         self
     }
 
-    /// The solid of revolution about z of a profile of radii and heights, upwards.
+    /// The solid of revolution about z of a profile, a list of radii and heights, from bottom to
+    /// top.
     fn turned_profile(profile: &[[f64; 2]]) -> Self {
         let at = |[radius, height]: [f64; 2], k: u32| {
             let (sine, cosine) =
@@ -157,7 +158,7 @@ impl Solid {
         Self { faces }
     }
 
-    /// The largest distance of a corner from the origin of the body.
+    /// The largest distance of a corner from the origin.
     pub(super) fn radius(&self) -> f64 {
         let corners = self.faces.iter().flatten();
         corners.map(Vector3::norm).fold(0.0, f64::max)

@@ -18,9 +18,9 @@ pub(super) const WIDTH: f64 = 720.0;
 pub(super) const HEIGHT: f64 = 420.0;
 const MARGIN: f64 = 24.0;
 
-/// The most frames of a motion. Between frames, places and attitudes are interpolated.
+/// The maximum number of frames of a motion. Places and attitudes are interpolated between frames.
 const FRAMES: usize = 600;
-/// A part of the duration that is not noticed \[%\].
+/// A fraction of the duration that is too short to be noticed \[%\].
 const BESIDE: f64 = 1e-3;
 
 /// A solid, and where it is at each sample.
@@ -33,7 +33,7 @@ pub(super) struct Actor {
 /// Solids in motion.
 pub(super) struct Stage<'p> {
     pub(super) actors: &'p [Actor],
-    /// The time of each sample, as a part of the duration.
+    /// The time of each sample, as a fraction of the duration.
     pub(super) parts: Vec<f64>,
     /// \[s\]
     pub(super) duration: f64,
@@ -49,7 +49,7 @@ struct Placed {
 }
 
 impl Stage<'_> {
-    /// Rules of style for the motion, and the elements.
+    /// Style rules for the motion, and the elements.
     pub(super) fn drawn(&self) -> [String; 2] {
         let placed = self.placed();
         let [mut rules, mut bodies] = [String::new(), String::new()];
@@ -84,7 +84,7 @@ impl Stage<'_> {
         [rules, scene]
     }
 
-    /// All finite places, in pixels per meter and in the middle.
+    /// All finite places, in pixels per meter, centered.
     fn placed(&self) -> Placed {
         let mut low = [f64::INFINITY; 2];
         let mut high = [f64::NEG_INFINITY; 2];
@@ -160,7 +160,7 @@ impl Stage<'_> {
         Some((first, if moves { frames } else { String::new() }))
     }
 
-    /// Behind the solids: the paths of their origins, the axes of the world and a measure.
+    /// What is drawn behind the solids: the paths of their origins, the world axes and a scale bar.
     fn backdrop(&self, placed: &Placed) -> String {
         let mut out = std::format!(
             "<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" height=\"{HEIGHT}\">"
@@ -224,7 +224,8 @@ fn measure(scale: f64) -> String {
     )
 }
 
-/// The one of the two quaternions of an attitude that is next to another, for the short rotation.
+/// The sign of an attitude quaternion that is nearer to another one, so that the rotation between
+/// them is the short one.
 fn next_to(
     other: Option<&UnitQuaternion<f64>>,
     attitude: &UnitQuaternion<f64>,

@@ -1,4 +1,4 @@
-//! The view of a scene: from afar, without perspective.
+//! The view of a scene: a parallel projection.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -17,8 +17,8 @@ impl View {
         }
     }
 
-    /// With z up, from an azimuth, anticlockwise from the x-axis, and a height above the horizon
-    /// \[rad\].
+    /// With z up, seen from an azimuth, anticlockwise from the x-axis, and an elevation above the
+    /// horizon \[rad\].
     pub(super) fn from(azimuth: f64, elevation: f64) -> Self {
         let ((sa, ca), (se, ce)) = (azimuth.sin_cos(), elevation.sin_cos());
         Self {
@@ -31,7 +31,7 @@ impl View {
         self.rows * vector
     }
 
-    /// The transform of style sheets: to the right, down, towards the reader.
+    /// The CSS transform: to the right, down, towards the reader.
     pub(super) fn matrix(&self) -> std::string::String {
         let columns = self.rows.column_iter();
         let columns = columns.map(|column| {

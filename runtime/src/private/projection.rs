@@ -16,7 +16,7 @@ pub trait Kept<const N: usize>: RigidBody {
     ) -> [Row<<Self::State as State>::Rate, N>; N];
 }
 
-/// One constraint in one state, as generated code reports it.
+/// One constraint in one state, as generated code provides it.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<R, const N: usize> {
     /// Its name.
@@ -31,11 +31,11 @@ pub struct Row<R, const N: usize> {
     pub push: R,
     /// Its row of `A M⁻¹ Aᵀ`.
     pub coupling: [f64; N],
-    /// Whether it follows from the others wherever all hold.
+    /// Whether it follows from the others in all states in which all hold.
     pub follows: bool,
 }
 
-/// The value of a constraint and its rate, each with the size that it may have in such a state.
+/// The value of a constraint and its rate, each with its typical size in such a state.
 #[derive(Clone, Copy, Debug)]
 pub struct Size {
     /// Its name.
@@ -49,7 +49,7 @@ pub struct Size {
 /// Checks that all values are rounding.
 ///
 /// # Errors
-/// [`Inconsistent`] with the one that is furthest from it; positions come first.
+/// [`Inconsistent`] with the constraint of the largest violation; positions come first.
 pub fn check(sizes: &[Size]) -> Result<(), Inconsistent> {
     for is_velocity in [false, true] {
         let mut worst = (Inconsistent::ROUNDING, None);
@@ -127,8 +127,8 @@ pub fn project<S: State<Scalar = f64>, const N: usize>(
 #[derive(Clone, Copy, PartialEq)]
 enum Pace {
     Full,
-    /// Shorter steps far from the constraints, where rows that depend on each other on the
-    /// constraints contradict each other.
+    /// Shorter steps. Far from the constraints, rows contradict each other if they are dependent
+    /// where all constraints hold.
     Damped,
     /// Velocities, which are linear.
     Velocity,
@@ -142,7 +142,7 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
     measured: impl Fn(&Row<S::Rate, N>) -> Option<(f64, f64)>,
     direction: impl Fn(&Row<S::Rate, N>) -> S::Rate,
 ) -> Result<(), Inconsistent> {
-    // terms may vanish together with their sum: the largest size so far counts
+    // terms may vanish together with their sum: the largest size so far is used
     let mut sizes = [0.0_f64; N];
     let (mut previous, mut slow) = (f64::INFINITY, 0);
     let (steps, most) = match pace {
@@ -198,8 +198,8 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
     Ok(())
 }
 
-/// Whether all values are rounding, compared with the motion given by the largest terms of any row:
-/// all terms of one row may vanish where those of another do not.
+/// Whether all values are rounding, compared with the motion given by the largest terms of any row.
+/// All terms of one row may vanish where those of another do not.
 fn is_rounding<R, const N: usize>(
     system: &[Row<R, N>; N],
     values: &[Option<f64>; N],
@@ -215,7 +215,7 @@ fn is_rounding<R, const N: usize>(
     all.all(|(own, value)| value.is_none_or(|value| value.abs() <= allowed(own)))
 }
 
-/// Typical couplings for rows of these sizes: one may be flat where all hold.
+/// Typical couplings for rows of these sizes: a row may be flat where all hold.
 fn natural<R, const N: usize>(system: &[Row<R, N>; N]) -> [f64; N] {
     let square = |row: &Row<R, N>| row.position.map_or(0.0, |(_, size)| size * size);
     // terms that vanish together give no size
@@ -286,11 +286,12 @@ fn eliminate<const N: usize>(
     }
 }
 
-/// The same for the reason of a failure, which may occur just before: an angle of a thousandth.
+/// The same fraction for the reason of a failure, which may occur just before: an angle of a
+/// thousandth.
 const NEARLY_DEPENDENT: f64 = 1e-6;
 
-/// The first constraint that depends on those before it in this state, if fewer are independent
-/// here than elsewhere where all hold.
+/// The first constraint that depends on those before it in this state, if fewer constraints are
+/// independent here than in other consistent states.
 pub fn dependent<R, const N: usize>(system: &[Row<R, N>; N]) -> Option<&'static str> {
     let mut matrix: [[f64; N]; N] = core::array::from_fn(|row| system[row].coupling);
     let natural = natural(system);

@@ -4,7 +4,7 @@ use crate::numbers::scalar::Scalar;
 
 /// The value of a table. Each of its polynomials is given by its start, and by the coefficients of
 /// the powers of the distance from there. The first one also holds below its start. All are
-/// evaluated, so that several numbers at once take the same path as each alone.
+/// evaluated, so that lanes take the same path as a single number.
 #[cfg_attr(not(unoptimized), inline(always))]
 #[must_use]
 #[allow(

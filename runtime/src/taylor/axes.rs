@@ -123,7 +123,8 @@ impl Axes {
         }
     }
 
-    /// The places of attitude and angular velocity, if these differ from those in body axes.
+    /// The places of attitude and angular velocity, if they differ in these axes from those in body
+    /// axes.
     #[cfg_attr(not(unoptimized), inline(always))]
     fn turning<S: Coordinates>(&self) -> Option<[usize; 2]> {
         S::AXES.filter(|_| self.spin != 0.0)

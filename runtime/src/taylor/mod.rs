@@ -39,8 +39,8 @@ pub trait Taylor: RigidBody<Scalar = f64, State: Coordinates> {
         Axes::BODY
     }
 
-    /// Writes the first N coefficients of the motion through `state` at `time`, with the input
-    /// held, or moving from there on; N is at least 2.
+    /// Writes the first N coefficients of the motion through `state` at `time`. Inputs are held, or
+    /// continue with their given rates; N is at least 2.
     ///
     /// State and series are in [`axes`](Self::axes) that may differ from the body axes. `products`
     /// may have any content.
@@ -53,8 +53,8 @@ pub trait Taylor: RigidBody<Scalar = f64, State: Coordinates> {
         series: &mut Series<Self::State, N>,
     );
 
-    /// The first N coefficients of the motion through `state` at `time`, in the axes of the body
-    /// and with the input held, or moving from there on: all powers of time below N.
+    /// The first N coefficients of the motion through `state` at `time`, in body axes: all powers
+    /// of time below N. Inputs are held, or continue with their given rates.
     ///
     /// # Panics
     /// If N is less than 2.

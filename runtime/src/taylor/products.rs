@@ -39,8 +39,8 @@ impl<A, const WIDTH: usize, const N: usize> From<A> for Products<A, WIDTH, N> {
     }
 }
 
-// Code for an arithmetic is written in loops: a closure that is not inlined would not be
-// compiled for its instructions.
+// Code for an arithmetic is written in loops: a closure that is not inlined would not be compiled
+// for its instructions.
 impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
     /// The weights and the first coefficients of sums: `(weight, left, right)`.
     #[cfg_attr(not(unoptimized), inline(always))]
@@ -58,8 +58,9 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
         }
     }
 
-    /// Terms n of sums, by coefficients n of their factors. A coefficient that is not known yet is
-    /// given as zero, and later by [`complete`](Self::complete): its partner begins with zero.
+    /// Terms n of sums, from the coefficients up to n of their factors. A coefficient that is not
+    /// known yet is given as zero, and added later by [`complete`](Self::complete): its partner
+    /// begins with zero.
     #[cfg_attr(not(unoptimized), inline(always))]
     pub fn terms<const FIRST: usize, const LANES: usize, const COUNT: usize>(
         &mut self,
@@ -76,7 +77,7 @@ impl<A: Arithmetic, const WIDTH: usize, const N: usize> Products<A, WIDTH, N> {
             }
             left[p] = arithmetic.multiply_add([0.0; LANES], left[p], self.weights.part(place(p)));
         }
-        // first the terms from before the last order, while that order is still computed; then
+        // first the terms of earlier orders, while the last order is still being computed; then
         // those of the last order
         let mut terms = [[0.0; LANES]; COUNT];
         let early = 2..n.max(3) - 1;

@@ -51,7 +51,7 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
     }
 
     /// Coefficient n of the coordinates, and the padding of their last register, from coefficient n
-    /// - 1 of their rates.
+    /// - 1 of the rates.
     #[cfg_attr(not(unoptimized), inline(always))]
     pub fn extend<A: Arithmetic, const WIDTH: usize, const COUNT: usize>(
         &mut self,
@@ -66,7 +66,7 @@ impl<S: Coordinates<Scalar = f64>, const N: usize> Series<S, N> {
     }
 }
 
-/// The coordinates on a polynomial, at this time after its start.
+/// The coordinates given by a polynomial, at this time after its start.
 #[cfg_attr(not(unoptimized), inline(always))]
 pub(crate) fn after<S: Coordinates<Scalar = f64>>(
     coefficients: &[S::Array],
@@ -101,8 +101,8 @@ fn evaluate<S: Coordinates<Scalar = f64>>(coefficients: &[S::Array], time: f64) 
     even
 }
 
-/// The rates of coordinates on a polynomial, from a place in their list on; zero before it. As
-/// in [`evaluate`], neither half waits for the other.
+/// The rates of coordinates given by a polynomial, starting at a place in their list; zero before
+/// it. As in [`evaluate`], neither half waits for the other.
 #[cfg_attr(not(unoptimized), inline(always))]
 pub(crate) fn slope<S: Coordinates<Scalar = f64>, const N: usize>(
     coefficients: &[S::Array; N],

@@ -1,4 +1,4 @@
-//! What rustc says where a series is expanded that was not requested.
+//! What rustc says if a series is expanded that was not requested.
 
 use super::Taylor;
 use super::arithmetic::Arithmetic;
@@ -6,8 +6,8 @@ use super::series::Series;
 use crate::bodies::body::{RigidBody, Unrequested};
 use crate::state::Coordinates;
 
-/// No type implements this trait. Its bodies would have series, so rustc finds the methods of
-/// [`Taylor`], and says in these words what is missing.
+/// No type implements this trait. A blanket implementation of [`Taylor`] requires it, so rustc
+/// finds the methods of [`Taylor`], and reports in these words what is missing.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `taylor`",
     label = "add `taylor` to its `outputs`"

@@ -38,3 +38,5 @@ pub mod range;
 pub mod symbolic;
 #[path = "../../../macros/src/syntax/mod.rs"]
 pub mod syntax;
+#[path = "../../../macros/src/units.rs"]
+pub mod units;

@@ -15,7 +15,7 @@ pub fn check_changing(work: &Workspace, known: &[Id], outline: &Outline, errors:
     if graph.depends_on(known, |id| work.meaning(id) == Some(Meaning::Time)) {
         for (word, place) in OF_STATE.iter().filter_map(asked) {
             let message = format!(
-                "`{word}` is that of a state, and mass or inertia follow `t`: make it one of the `states`, \
+                "`{word}` is a function of the state, and mass or inertia depend on `t`: make it one of the `states`, \
                  `states: [clock[s]], rates: [clock = 1]`"
             );
             errors.push(place, message);

@@ -86,7 +86,7 @@ impl Lowering<'_> {
         let given: Vec<(Id, Id, Extent)> = given.into_iter().collect::<Option<Vec<_>>>()?.concat();
         for (number, (symbol, _, place)) in given.iter().enumerate() {
             if given[..number].iter().any(|(other, ..)| other == symbol) {
-                return self.report(*place, "this is given already: leave one of both out");
+                return self.report(*place, "this is given already: leave one of them out");
             }
         }
         Some(Check {

@@ -238,7 +238,7 @@ fn check_outputs(
         };
         let obstacle = (offer.obstacle)(description).filter(|_| !is_reported(description));
         if outputs.iter().any(|asked| asked.word == written) {
-            errors.push(place, format!("`{written}` is asked for twice"));
+            errors.push(place, format!("`{written}` is requested twice"));
         } else if let Some(obstacle) = obstacle {
             errors.push(place, obstacle);
         } else {

@@ -74,8 +74,8 @@ impl Lowering<'_> {
             return self.report(
                 open.span(),
                 format!(
-                    "a default is a constant, and `{open}` is not: what follows from other names \
-                     is a local"
+                    "a default is a constant, and `{open}` is not: write what follows from other \
+                     names as a local"
                 ),
             );
         }
@@ -235,7 +235,7 @@ impl Lowering<'_> {
         {
             return self.report(
                 fixed.extent,
-                "all components of an open vector are open: write `_`",
+                "if one component of an open vector is `_`, all are: write `_`",
             );
         }
         let symbols = self.work.symbols(stage, 0..self.motion.axes(), meaning);
@@ -252,7 +252,7 @@ impl Lowering<'_> {
             ),
             None => self.report(
                 place.extent,
-                "a default is a constant: what follows from other names is a local",
+                "a default is a constant: write what follows from other names as a local",
             ),
         }
     }

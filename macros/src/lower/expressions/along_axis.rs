@@ -13,7 +13,7 @@ use crate::syntax::{Description, Support};
 use super::lowering::Lowering;
 
 /// The reason why a quantity is not known for a rod.
-pub const UNTURNED: &str = "how a rod is turned about its axis is not known";
+pub const UNTURNED: &str = "the rotation of a rod about its axis is not known";
 
 impl Lowering<'_> {
     /// Reads the direction of `rod(direction)`: from here on, vectors of the body are along it.

@@ -5,6 +5,7 @@ use proc_macro2::Ident;
 use crate::errors::similar;
 use crate::model::{Attitude, Dimension, Frame, Meaning, Point, Variable, Vector};
 use crate::symbolic::{Components, Number, Stage};
+use crate::units::is_unit;
 
 use super::along_axis::UNTURNED;
 use super::lowering::Lowering;
@@ -112,15 +113,7 @@ impl Lowering<'_> {
                 let of_body = self.members.with_body(&word).filter(|_| self.is_whole);
                 of_body.map_or_else(
                     || {
-                        let constant = is_constant(&word)
-                            && !self.scope.known().any(|known| {
-                                is_constant(known) && similar(&word, [known]).is_some()
-                            });
-                        let advice = if constant {
-                            self.of_rust(&word)
-                        } else {
-                            self.members.hint(&word, self.scope.known())
-                        };
+                        let advice = self.advice(&word);
                         format!("nothing here is called `{word}`{advice}")
                     },
                     |named| format!("of which body? write for example `{named}`"),
@@ -128,6 +121,19 @@ impl Lowering<'_> {
             }
         };
         self.report(name.span(), message)
+    }
+
+    /// What an unknown name was probably meant to be.
+    fn advice(&self, word: &str) -> String {
+        let hint = self.members.hint(word, self.scope.known());
+        let is_similar = |known| is_constant(known) && similar(word, [known]).is_some();
+        if is_unit(word) && hint.is_empty() {
+            format!("; a unit stands in brackets, as in `2[{word}]`")
+        } else if is_constant(word) && !self.scope.known().any(is_similar) {
+            self.of_rust(word)
+        } else {
+            hint
+        }
     }
 
     /// The declaration of a name in capitals, for messages.

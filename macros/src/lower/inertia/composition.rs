@@ -108,8 +108,8 @@ impl Lowering<'_> {
         );
         self.report(
             place,
-            "as this changes, G moves in the body, from which points are counted, and inside the body there is no \
-             motion here: place what changes so that G stays",
+            "as this changes, G moves in the body, and points are relative to G: place the changing parts so that \
+             G stays fixed",
         )
     }
 

@@ -81,9 +81,7 @@ impl Lowering<'_> {
             let names = solid.lengths.join(", ");
             return self.report(
                 word.span(),
-                format!(
-                    "`{word}({names})` is measured by {expected} {lengths}, and this has {found}"
-                ),
+                format!("`{word}({names})` takes {expected} {lengths}, and this has {found}"),
             );
         }
         let lengths = written.iter().map(|length| self.length(length, context));

@@ -177,7 +177,7 @@ impl Lowering<'_> {
                     }
                 };
                 format!(
-                    "a constraint is differentiated in time, and nobody knows how the input `{word}` moves: \
+                    "a constraint is differentiated in time, and nothing tells how the input `{word}` moves: \
                      write `{form}.moving` in `inputs`, which is given with {needed}, or a function of `t` here"
                 )
             };

@@ -131,8 +131,8 @@ impl Lowering<'_> {
         self.report(
             place,
             format!(
-                "{what} is the same in every state of the body; what is not is a force, or a \
-                 potential"
+                "{what} cannot depend on the state: write a force or a potential \
+                 instead"
             ),
         )
     }

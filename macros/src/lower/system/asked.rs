@@ -111,7 +111,7 @@ impl Reader<'_> {
                 (_, Some(name)) if is_another(&seen, &name, written) => Some(format!(
                     "`{name}` is the field of another point already: call one of them something else"
                 )),
-                (_, Some(_)) => Some("this point is asked for twice".to_owned()),
+                (_, Some(_)) => Some("this point is requested twice".to_owned()),
             };
             if let Some(message) = message {
                 errors.push(written.extent, message);

@@ -1,4 +1,4 @@
-//! What stands behind a load: `.on(joint)`, `.between(P, Q)`.
+//! Methods that follow a load: `.on(joint)`, `.between(P, Q)`.
 
 use proc_macro2::Ident;
 
@@ -16,7 +16,8 @@ pub fn behind<'e>(
     }
 }
 
-/// The method of the last operand alone: `on` of `-x.on(joint)`, which means `-(x.on(joint))`.
+/// The method that applies to the last operand only: `on` in `-x.on(joint)`, which means
+/// `-(x.on(joint))`.
 pub fn behind_operand<'e>(value: &'e Expression, methods: &[&str]) -> Option<&'e Ident> {
     let last = match &value.kind {
         Kind::Prefix(_, operand) => operand,
@@ -32,7 +33,7 @@ pub fn behind_operand<'e>(value: &'e Expression, methods: &[&str]) -> Option<&'e
 /// Reports it: such a method applies to the whole load.
 pub fn report_operand<T>(word: &Ident, errors: &mut Errors) -> Option<T> {
     let message = format!(
-        "`.{word}(..)` is of the last operand alone: put the whole load in parentheses, `(..).{word}(..)`"
+        "`.{word}(..)` applies to the last operand only: put the whole load in parentheses, `(..).{word}(..)`"
     );
     errors.report(word.span(), message)
 }

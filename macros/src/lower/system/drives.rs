@@ -115,7 +115,7 @@ fn check_drivable(
     let name = &joint.name;
     if joint.is_driven() {
         let message = format!(
-            "`{name}` moves as is prescribed: the drive that makes it do so is found, and is a field of the \
+            "`{name}` moves as prescribed: its drive is solved for, and is a field of the \
              reactions"
         );
         return errors.report(target.extent, message);

@@ -238,11 +238,13 @@ fn reason(work: &Workspace, kink: Id) -> String {
         Node::Foreign(function, _) => {
             let name = &work.functions[function.number()].name;
             return format!(
-                "`{name}` is a function of Rust, of which values are known alone; {OTHERWISE}"
+                "`{name}` is a Rust function, of which only values are known; {OTHERWISE}"
             );
         }
         Node::Unary(function, _) | Node::Binary(function, ..) => function.name(),
         _ => "if",
     };
-    format!("`{word}` of what moves is not smooth; write it in smooth functions, or {OTHERWISE}")
+    format!(
+        "`{word}` of moving quantities is not smooth; write it with smooth functions, or {OTHERWISE}"
+    )
 }

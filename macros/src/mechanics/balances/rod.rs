@@ -178,7 +178,7 @@ pub fn check_loads(
             *extent,
             format!(
                 "`{name}` has a moment about the axis, about which a rod has no inertia: let it act on \
-                 the axis, or take what is across it, as in `axis.cross(k).cross(axis)`"
+                 the axis, or take its part perpendicular to the axis, as in `axis.cross(k).cross(axis)`"
             ),
         );
     }

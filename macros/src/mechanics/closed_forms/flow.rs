@@ -187,7 +187,7 @@ fn report_moments(
             format!("depends on {}", dependence(work, &load.moment))
         };
         let reason = match (is_symmetric, is_constant) {
-            _ if is_rod => "and a rod has one without moments only",
+            _ if is_rod => "and a rod has one only without moments",
             (false, _) if is_known(model, work) => {
                 "and the body is not symmetric about an axis through it"
             }

@@ -78,7 +78,7 @@ pub fn settle(
 
 /// The message for a load that leaves no inertia.
 pub fn takes_inertia(name: &str) -> String {
-    format!("`{name}` takes the inertia away: nothing determines the acceleration then")
+    format!("`{name}` cancels the inertia: nothing determines the acceleration")
 }
 
 /// All components of the linear and of the angular acceleration, if loads depend on any of them.

@@ -26,7 +26,7 @@ pub fn check_independence(
         let (name, carried) = (&system.joints[joint].name, &system.bodies[joint]);
         let message = if work.graph.is_zero(carried.mass) {
             format!(
-                "`{name}` moves nothing in a way of its own: `{0}` has no mass, and the joints that it carries can \
+                "`{name}` adds no independent motion: `{0}` has no mass, and the joints that it carries can \
                  undo the motion: give `{0}` a mass, or leave one of these joints out",
                 carried.name
             )
@@ -41,7 +41,7 @@ pub fn check_independence(
     sound
 }
 
-/// The freedoms that have no inertia in a matrix once those beyond them give way: proved, in all
+/// The freedoms that have no inertia in a matrix once those beyond them are free; proved in all
 /// states.
 fn dependent(work: &Workspace, rows: &[Vec<Id>]) -> Vec<usize> {
     let all = samples(work, &rows.concat());

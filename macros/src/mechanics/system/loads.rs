@@ -67,9 +67,8 @@ fn report_undetermined(names: &[&Ident], unknowns: &[Undetermined], errors: &mut
         } else {
             others.join(" and ")
         };
-        let message = format!(
-            "`{drive}` is not determined: {others} can do all that it does; give its value"
-        );
+        let message =
+            format!("`{drive}` is not determined: {others} can replace it; give its value");
         errors.push(drive.span(), message);
     }
 }
@@ -85,7 +84,7 @@ fn report_undriven(system: &System, closed: &Closed, spare: &[(usize, Id)], erro
     if let Some(joint) = spare.iter().find_map(|(row, _)| by_freedom.nth(*row)) {
         let message = format!(
             "nothing drives `{joint}`, nor what moves with it: `inverse` gives the accelerations \
-             of all joints, and needs as many open drives as the linkage has freedoms"
+             of all joints, and needs as many open drives as the linkage has degrees of freedom"
         );
         errors.push(joint.span(), message);
     }

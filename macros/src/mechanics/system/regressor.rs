@@ -1,5 +1,5 @@
-//! The regressor of a system: what its motion takes, along each freedom, of the inertial parameters
-//! of each body.
+//! The regressor of a system: the loads that its motion requires along each freedom, per inertial
+//! parameter of each body.
 
 use crate::mechanics::answers::{Regressor, told};
 use crate::mechanics::tree::{self, Properties};

@@ -4,9 +4,9 @@
 //! r(x, a) = 0, linear in a:    M da = -dr,    M = dr/da
 //! ```
 //!
-//! r is the load along each freedom that inverse dynamics finds, less what acts there; so nothing
-//! of the elimination that gives the accelerations is differentiated, and M is factored once. The
-//! row of a body that is alone is its acceleration as it is solved: `a - a(x)`.
+//! r is the load along each freedom that inverse dynamics finds, minus the load that acts there.
+//! The elimination that gives the accelerations is therefore not differentiated, and M is factored
+//! once. The row of a body that is alone is its acceleration as it is solved: `a - a(x)`.
 
 use std::collections::HashMap;
 

@@ -162,8 +162,8 @@ fn body_of(form: &Form, turn: &Turn) -> Option<usize> {
     form.bodies.iter().position(|known| known.body == frame)
 }
 
-/// The slope along the position, in body axes, where what was turned into them is the position, or
-/// a distance from it: forces of one body are added before they are turned.
+/// The slope along the position, in body axes, if the vector rotated into them is the position or a
+/// distance from it. Forces of one body are added before they are rotated.
 fn carried(
     work: &mut Workspace,
     displacement: Components,
@@ -179,7 +179,7 @@ fn carried(
     Some(graph.scale_vector(factor, slope))
 }
 
-/// The moment that a slope along a turned vector amounts to.
+/// The moment equivalent to a slope along a rotated vector.
 fn moment_along(work: &mut Workspace, turn: &Turn, slope: Components) -> Components {
     if turn.to == Frame::WORLD {
         let back = work.turn(slope, turn.to, turn.from);
@@ -190,8 +190,8 @@ fn moment_along(work: &mut Workspace, turn: &Turn, slope: Components) -> Compone
     }
 }
 
-/// The symbols that say where the bodies are: of displacements, attitudes, turned vectors and
-/// joints.
+/// The symbols that determine where the bodies are: those of displacements, attitudes, rotated
+/// vectors and joints.
 fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
     let places = form.along.iter().filter_map(|freedom| freedom.place);
     let mut symbols: HashSet<Id> = places.collect();
@@ -202,7 +202,7 @@ fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
             symbols.extend(work.attitude(displaced.body).coordinates());
         }
     }
-    // each vector contains only vectors that were turned before it
+    // each vector contains only vectors that were rotated before it
     for turn in &form.turns {
         let moves = |id: Id| symbols.contains(&id);
         if body_of(form, turn).is_some() || work.graph.depends_on(&turn.vector, moves) {
@@ -242,8 +242,8 @@ fn of_attitude(
     (moment, zeros)
 }
 
-/// Puts turned vectors in the place of the symbols that were kept apart, and what other symbols
-/// stand for. Names go with what they name.
+/// Replaces symbols that were kept apart by the rotated vectors, and other symbols by what they
+/// stand for. Names stay with the expressions that they name.
 pub fn expand(work: &mut Workspace, form: &Form, derived: &[Derived]) -> Vec<Derived> {
     let mut values: HashMap<Id, Id> = form.stands_for.iter().copied().collect();
     for turn in &form.turns {

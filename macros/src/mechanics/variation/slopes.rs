@@ -47,7 +47,7 @@ impl Slopes {
         slopes
     }
 
-    /// Along these alone; turned vectors among them are not passed on.
+    /// Along these alone; rotated vectors among them are not passed on.
     pub fn along_leaves(work: &mut Workspace, value: Id, leaves: HashSet<Id>) -> Self {
         let mut slopes = Self {
             leaves,
@@ -81,9 +81,9 @@ impl Slopes {
         slope
     }
 
-    /// Passes the slope along a turned vector on to its components.
+    /// Passes the slope along a rotated vector on to its components.
     pub fn pass_on(&mut self, work: &mut Workspace, turn: &Turn, slope: Components) {
-        // a vector that was turned before is a leaf, too
+        // a vector that was rotated before is a leaf, too
         let is_leaf = |id: &Id| self.leaves.contains(id);
         let reached = work.graph.reachable(&turn.vector, |id| !is_leaf(&id));
         if reached.iter().any(is_leaf) {

@@ -1,15 +1,15 @@
-//! The moment `r x g` of a slope g along a turned vector r.
+//! The moment `r x g` of a slope g along a rotated vector r.
 //!
-//! The part of g along r is left out before the multiplication: only its rounding would remain, and
-//! would grow with the length of r. The force of a spring to a far hook is `s (c r + b)`, and b its
-//! arm; that of several springs is a sum of such terms.
+//! The part of g along r is dropped before the multiplication: only its rounding would remain, and
+//! would grow with the length of r. The force of a spring to a distant hook is `s (c r + b)`, and
+//! its arm is b. The force of several springs is a sum of such terms.
 
 use std::collections::HashSet;
 
 use crate::model::{Turn, Workspace};
 use crate::symbolic::{Components, Graph, Id, Node};
 
-/// `r x slope` as a factor and a vector, of a turned vector r.
+/// `r x slope` as a factor and a vector, for a rotated vector r.
 pub fn moment(work: &mut Workspace, turn: &Turn, slope: Components) -> (Id, Components) {
     let (mut factor, mut rest) = (work.graph.one(), slope);
     while let Some((part, others)) = work.common_factor(rest, turn.to) {
@@ -21,7 +21,7 @@ pub fn moment(work: &mut Workspace, turn: &Turn, slope: Components) -> (Id, Comp
     (factor, graph.cross(r, rest))
 }
 
-/// A slope without multiples of r: as it is, if it has none.
+/// A slope without multiples of r; unchanged if it has none.
 fn across(graph: &mut Graph, r: Components, slope: Components) -> Components {
     let place: HashSet<Id> = r.into_iter().collect();
     let (zero, mut sum, mut is_less) = (graph.zero(), graph.zeros(), false);

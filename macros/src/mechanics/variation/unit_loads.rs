@@ -42,7 +42,7 @@ fn by_rates(work: &mut Workspace, form: &Form, value: Id) -> Derived {
         .filter(|id| !work.graph.is_zero(*id))
         .collect();
     let mut slopes = Slopes::along_leaves(work, value, leaves);
-    // each vector contains only vectors that were turned before it
+    // each vector contains only vectors that were rotated before it
     for turn in form.turns.iter().rev() {
         let slope = slopes.take(work, turn);
         if !work.graph.is_zero_vector(&slope) {

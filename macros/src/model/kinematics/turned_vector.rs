@@ -1,8 +1,9 @@
 //! Turned vectors, kept apart.
 //!
-//! As its body turns, a turned vector changes by `phi x r`: a potential is differentiated without
-//! looking into the rotation. So where potentials are read, the components of a vector in its
-//! other axes are new symbols, which stand for the turned vector until it is differentiated.
+//! As its body rotates, a rotated vector changes by `phi x r`, so a potential can be differentiated
+//! without differentiating the rotation. Where potentials are read, the components of a vector in
+//! its other axes are therefore new symbols. They stand for the rotated vector until it is
+//! differentiated.
 
 use std::collections::HashMap;
 
@@ -12,25 +13,25 @@ use crate::symbolic::{Components, Graph, Id, Stage};
 /// A vector, and its components in the other axes, or the symbols of them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Turn {
-    /// The axes in which it was written, and those into which it was turned.
+    /// The axes in which it was written, and those into which it was rotated.
     pub from: Frame,
     pub to: Frame,
     pub vector: Components,
     pub turned: Components,
 }
 
-/// The vectors that were turned so far, each after those that it contains.
+/// The vectors that were rotated so far, each after those that it contains.
 pub struct Turns {
     pub list: Vec<Turn>,
     known: HashMap<(Components, Frame, Frame), usize>,
     by_symbol: HashMap<Id, usize>,
     /// Number of components.
     axes: usize,
-    /// The axes in which the length of a vector is taken that has parts in both.
+    /// The axes in which a length is taken, for a vector with parts in both.
     mixed: Frame,
     /// Whether such a vector was met.
     pub met_mixed: bool,
-    /// Axes that are turned by themselves, also those that a joint holds at a fixed angle.
+    /// Axes that rotate by themselves, also those that a joint holds at a fixed angle.
     apart: Vec<Frame>,
 }
 
@@ -58,7 +59,7 @@ impl Turns {
         self.apart.contains(&body)
     }
 
-    /// The turned vector that a symbol is a component of.
+    /// The rotated vector of which a symbol is a component.
     pub fn of(&self, symbol: Id) -> Option<&Turn> {
         self.list.get(*self.by_symbol.get(&symbol)?)
     }

@@ -8,9 +8,9 @@ use super::turned_vector::Turn;
 use super::workspace::Workspace;
 
 impl Workspace {
-    /// `s e` in body axes, of an early s and e along an axis of the world, to be multiplied by what
-    /// is along an axis of the body: of the row of the rotation two components are needed, and the
-    /// factor that they have goes with what multiplies them.
+    /// `s e` in body axes, for an s known early and e along a world axis, to be multiplied by a
+    /// vector along a body axis. Only two components of a row of the rotation are needed, and their
+    /// common factor goes with the other vector.
     pub fn row(&mut self, arm: Components, v: Components, body: Frame) -> Option<Components> {
         let Attitude::Quaternion { scalar, vector } = self.attitude(body) else {
             return None;
@@ -52,7 +52,7 @@ impl Workspace {
 
     /// The components of one vector in the axes of `to`, from its components in those of `from`.
     ///
-    /// A factor that all components share is turned around: `s v` is `s` times the turned `v`.
+    /// A factor that all components share is taken out: `s v` is `s` times the rotated `v`.
     pub fn turn(&mut self, v: Components, from: Frame, to: Frame) -> Components {
         if from == to || self.graph.is_zero_vector(&v) {
             return v;
@@ -143,7 +143,7 @@ impl Workspace {
         let swing = graph.cross(q, doubled);
         let swing = graph.quantities(swing);
         for (component, axis) in v.into_iter().zip(AXES) {
-            // the turned vector has a name of its own, or none
+            // the rotated vector has a name of its own, or none
             if let Node::Quantity(inner) = *graph.node(component)
                 && self.labels.get(inner).is_none()
             {
@@ -171,7 +171,7 @@ impl Workspace {
         })
     }
 
-    /// A vector and its opposite are turned together.
+    /// A vector and its opposite are rotated together.
     fn leads_with_minus(&mut self, v: Components) -> bool {
         let first = v
             .into_iter()
@@ -181,8 +181,8 @@ impl Workspace {
 
     /// A factor that every component has, if there is one, and the components without it.
     ///
-    /// To turn `s v` as `s` times the turned `v` costs nothing where `v` has all its components,
-    /// and one whole rotation less where `v` itself is turned too.
+    /// Rotating `s v` as `s` times the rotated `v` costs nothing if `v` has all its components, and
+    /// saves a whole rotation if `v` itself is rotated too.
     pub fn common_factor(&mut self, v: Components, frame: Frame) -> Option<(Id, Components)> {
         let is_turned_by_angle = matches!(self.attitude(frame), Attitude::Axis { .. });
         let in_plane = self.graph.is_zero(v[2]) && is_turned_by_angle;

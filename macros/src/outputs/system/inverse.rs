@@ -51,8 +51,8 @@ impl Output<System> for Inverse {
                     .collect(),
             };
             let message = format!(
-                "nothing drives `{name}`, and inverse dynamics finds the drives that make all joints \
-                 move as is given: write {}",
+                "nothing drives `{name}`, and `inverse` finds the drives that produce a given motion of \
+                 all joints: write {}",
                 drives.join(" and ")
             );
             basis.errors.push(name.span(), message);

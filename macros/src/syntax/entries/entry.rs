@@ -1,6 +1,6 @@
 //! The entries of lists: declarations, definitions, loads and single words.
 
-use proc_macro2::{Delimiter, Ident, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
 use crate::errors::Errors;
 
@@ -13,8 +13,9 @@ use crate::syntax::Definition;
 use crate::syntax::Description;
 use crate::syntax::Load;
 use crate::syntax::Value;
+use crate::syntax::bare_unit::{BareUnit, is_unit_word};
 use crate::syntax::expression::{Expression, Kind};
-use crate::syntax::tokens::{after_sign, bracketed, is_punct, start, stream};
+use crate::syntax::tokens::{after_sign, is_punct, start, stream};
 use crate::syntax::unit::UnitExpression;
 use crate::syntax::words::check_name;
 
@@ -173,28 +174,9 @@ fn parse_declaration(
     let (unit, value) = match rest {
         [] => (None, None),
         [TokenTree::Group(group), tail @ ..] if group.delimiter() == Delimiter::Bracket => {
-            if tail.first().is_some_and(|token| is_punct(token, '=')) {
-                let unit = group.stream();
-                let message = if key == "inputs" {
-                    format!(
-                        "an input has no value here: write `{name}[{unit}]`, or make it a param"
-                    )
-                } else {
-                    format!("a unit stands behind its number: write `{name} = ..[{unit}]`")
-                };
-                errors.push(group.span(), message);
-                (None, Some(None))
-            } else if bracketed(rest).is_some() {
-                let unit = UnitExpression::parse(group, errors);
-                let refused = unit.is_none();
-                (unit, refused.then_some(None))
-            } else {
-                errors.push(
-                    start(&tail[0]),
-                    format!("expected `{name}`, `{name}[unit]` or `{name} = value`"),
-                );
-                (None, Some(None))
-            }
+            let unit = parse_unit(&name, key, group, tail, errors);
+            let refused = unit.is_none();
+            (unit, refused.then_some(None))
         }
         [TokenTree::Punct(colon), unit @ ..] if key != "params" && colon.as_char() == ':' => {
             let unit = match unit {
@@ -207,6 +189,15 @@ fn parse_declaration(
             );
             (None, Some(None))
         }
+        [TokenTree::Ident(word), after @ ..] if is_unit_word(word) => {
+            let unit = BareUnit::read(word, after);
+            let message = format!(
+                "a unit stands in brackets: write `{name}[{}]`",
+                unit.written
+            );
+            errors.push(unit.extent, message);
+            (None, Some(None))
+        }
         _ => (None, Some(parse_value(&name, rest, errors))),
     };
     Declaration {
@@ -216,6 +207,30 @@ fn parse_declaration(
         moving,
         order: 0,
     }
+}
+
+/// The unit in brackets that ends a declaration.
+fn parse_unit(
+    name: &Ident,
+    key: &str,
+    group: &Group,
+    tail: &[TokenTree],
+    errors: &mut Errors,
+) -> Option<UnitExpression> {
+    let Some(next) = tail.first() else {
+        return UnitExpression::parse(group, errors);
+    };
+    if !is_punct(next, '=') {
+        let message = format!("expected `{name}`, `{name}[unit]` or `{name} = value`");
+        return errors.report(start(next), message);
+    }
+    let unit = group.stream();
+    let message = if key == "inputs" {
+        format!("an input has no value here: write `{name}[{unit}]`, or make it a param")
+    } else {
+        format!("a unit stands behind its number: write `{name} = ..[{unit}]`")
+    };
+    errors.report(group.span(), message)
 }
 
 fn parse_definition(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Definition {

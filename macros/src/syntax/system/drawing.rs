@@ -33,7 +33,7 @@ impl System {
         match value {
             [TokenTree::Ident(word)] if word == "zero_pose" => {}
             [first, ..] => {
-                let message = "a drawing is of the pose in which all coordinates are zero: write `drawing: zero_pose`";
+                let message = "a drawing shows the pose in which all coordinates are zero: write `drawing: zero_pose`";
                 errors.push(start(first), message);
             }
             [] => {}

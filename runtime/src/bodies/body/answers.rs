@@ -96,9 +96,9 @@ pub trait Momentum: RigidBody {
 ///                b = (m a_G, J ω̇ + ω × Jω) - given loads
 /// ```
 ///
-/// and `acceleration` has used up the equations in the free directions; the others give the
-/// reactions. If A depends on the configuration and may lose rank, [`Self::Reactions`] is
-/// a `Result` with [`Singular`](super::Singular) as its error.
+/// and `acceleration` has used the equations in the free directions; the others give the reactions.
+/// If A depends on the configuration and may lose rank, [`Self::Reactions`] is a `Result` with
+/// [`Singular`](super::Singular) as its error.
 ///
 /// ```
 /// use newton_euler::prelude::*;
@@ -177,8 +177,8 @@ pub trait Inverse: RigidBody {
     ) -> Self::Drives;
 }
 
-/// The loads of a motion by inertial parameter, `outputs: [regressor]`: the equations of motion
-/// are linear in mass, first moment and inertia.
+/// The loads that a motion requires, per inertial parameter, `outputs: [regressor]`: the equations
+/// of motion are linear in mass, first moment and inertia.
 ///
 /// ```text
 /// Y (m, m c, J) = the given loads, except those of uniform fields
@@ -249,7 +249,7 @@ pub trait Regressor: RigidBody {
     /// The names of the inertial parameters, in the order of the columns.
     const PARAMETERS: &'static [&'static str];
 
-    /// The load by unit of each parameter, in the motion with this acceleration.
+    /// The load per unit of each parameter, in the motion with this acceleration.
     fn regressor(
         &self,
         time: Self::Scalar,

@@ -21,7 +21,7 @@ pub trait DrivenEnergy: RigidBody {
         input: &Self::Input,
     ) -> Self::Scalar;
 
-    /// As [`Energy::potential_energy`](super::Energy::potential_energy).
+    /// Like [`Energy::potential_energy`](super::Energy::potential_energy).
     fn potential_energy(
         &self,
         time: Self::Scalar,

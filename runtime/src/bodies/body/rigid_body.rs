@@ -112,8 +112,8 @@ pub trait RigidBody {
         Ok(())
     }
 
-    /// The input some time \[s\] after it was given, if a part of it moves: a value with its rate
-    /// and acceleration continues with them. `None` by default: inputs are held.
+    /// The input some time \[s\] after it was given, if a part of it moves: a value given with its
+    /// rate and acceleration continues with them. `None` by default: inputs are held.
     fn input_after(&self, _input: &Self::Input, _duration: Self::Scalar) -> Option<Self::Input> {
         None
     }

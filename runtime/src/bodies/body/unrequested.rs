@@ -1,4 +1,4 @@
-//! What rustc says where a method is called whose output was not requested.
+//! What rustc says if a method is called whose output was not requested.
 //!
 //! Each output has a trait here that no type implements. Its bodies would have the output, so rustc
 //! finds the method, and says in the words of the trait what is missing.

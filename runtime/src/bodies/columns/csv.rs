@@ -8,10 +8,11 @@ use core::slice;
 use super::column::{Columns, Sink};
 use super::names::Named;
 
-/// A table of comma-separated values: a line with the names of the columns, then a line per value.
+/// A table of comma-separated values: a line with the names of the columns, then one line per
+/// value.
 ///
-/// It is text by `Display`. Each number is the shortest that reads back to the same bits; infinite
-/// numbers and NaN are written as `inf`, `-inf` and `NaN`.
+/// `Display` gives it as text. Each number is written with the fewest digits that read back to the
+/// same bits; infinite numbers and NaN are written as `inf`, `-inf` and `NaN`.
 ///
 /// ```
 /// use newton_euler::{columns::Csv, prelude::*};
@@ -59,8 +60,8 @@ impl<'v, C: Columns<f64> + Named> Csv<Cloned<slice::Iter<'v, C>>> {
 }
 
 impl<I: Iterator<Item: Columns<f64> + Named>> Csv<I> {
-    /// The table of values that are taken when it is written. It can be written once: nothing is
-    /// left for a second time.
+    /// The table of values that are computed while it is written. It can be written only once,
+    /// because the values are then used up.
     pub fn rows(rows: impl IntoIterator<IntoIter = I>) -> Self {
         Self {
             rows: RefCell::new(rows.into_iter()),
@@ -68,7 +69,7 @@ impl<I: Iterator<Item: Columns<f64> + Named>> Csv<I> {
         }
     }
 
-    /// The same, with a first column of this name that numbers the rows from zero.
+    /// The same, with an additional first column of this name that numbers the rows from zero.
     ///
     /// ```
     /// use newton_euler::{columns::Csv, prelude::*};

@@ -8,8 +8,8 @@ pub trait Named {
     const NAMES: Names;
 }
 
-/// The names of the columns of a type, with their units. The name of a part precedes those of its
-/// components, after a dot.
+/// The names of the columns of a type, with their units. The name of a part precedes the names of
+/// its components, separated by a dot.
 ///
 /// ```
 /// use newton_euler::{columns::Named, prelude::*};
@@ -24,7 +24,7 @@ pub enum Names {
     Number(&'static str),
     /// A vector: the names of its components, and their unit.
     Vector(&'static [&'static str], &'static str),
-    /// Named parts. The components of a part without a name stand among the parts.
+    /// Named parts. The components of a part without a name are listed among the parts.
     Parts(&'static [(&'static str, Names)]),
 }
 
@@ -87,7 +87,7 @@ impl Names {
         }
     }
 
-    /// The same names with another unit; of parts, as they are.
+    /// The same names with another unit; names of parts stay as they are.
     #[must_use]
     pub const fn in_unit(self, unit: &'static str) -> Self {
         match self {
@@ -131,7 +131,7 @@ impl Names {
     }
 }
 
-/// A name without the prefix of a raw identifier.
+/// A name without the prefix `r#` of a raw identifier.
 #[must_use]
 pub const fn bare(name: &str) -> &str {
     match name.as_bytes() {

@@ -21,7 +21,7 @@ fn names_of<N: Named>(_: &N) -> Names {
     N::NAMES
 }
 
-/// Writes the part whose first column has an index, and moves the index behind the part.
+/// Writes the part that begins at a column index, and advances the index past the part.
 fn show_part<T: Scalar>(
     names: Names,
     index: &mut usize,
@@ -67,7 +67,7 @@ fn show_part<T: Scalar>(
     }
 }
 
-/// Writes the number with an index, all its lanes, and moves the index.
+/// Writes the number at an index, all its lanes, and advances the index.
 fn show_number<T: Scalar>(
     index: &mut usize,
     value: &impl Columns<T>,

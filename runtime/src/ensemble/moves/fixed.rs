@@ -17,8 +17,8 @@ use crate::numbers::count::real;
 use crate::numbers::lanes::{Lanes, Register, Width, Work};
 use crate::state::Coordinates;
 
-/// In lanes: each member moves as it would alone, to the bit. If a motion becomes non-finite,
-/// the error has the state at the start.
+/// In lanes: each member moves as it would alone, to the bit. If a motion becomes non-finite, the
+/// error contains the state at the start.
 impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
     type Alone = Self;
 
@@ -117,7 +117,8 @@ fn in_lanes<B: Generic, M: RungeKutta>(
     });
 }
 
-/// Advances the members of each register that take the same steps; returns whether those are all.
+/// Advances the members of each register that take the same steps; returns whether these are all of
+/// them.
 struct Advance<'e, M, B: Generic> {
     plan: &'e Plan<'e, Fixed<M>, B>,
     step: f64,

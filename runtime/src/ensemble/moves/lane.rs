@@ -7,7 +7,7 @@ use crate::integrate::{Lengths, Stretch, Watch, compensated};
 /// A member in progress.
 #[derive(Clone, Copy)]
 pub(super) struct Lane {
-    /// Its index in the blocks; none for an empty lane.
+    /// Its index in the blocks; `None` for an empty lane.
     pub(super) member: Option<usize>,
     pub(super) state: Progress,
     pub(super) stretch: Stretch,

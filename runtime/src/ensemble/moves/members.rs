@@ -1,4 +1,5 @@
-//! All members: in threads, counted, and the errors of those that reach no end.
+//! All members: their division among threads, their count, and the errors of those that do not
+//! reach the end.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -45,7 +46,7 @@ pub(super) fn is_possible<B: Generic>(ensemble: &Ensemble<B>, index: usize, time
     body.possible(time, &states.get(index), &input).is_ok()
 }
 
-/// Stores the ends of members; returns the members that reached no end.
+/// Stores the final states of members; returns the members that did not reach the end.
 pub(super) fn put<S: Columns<f64>>(
     states: &mut Blocks<S>,
     ends: impl Iterator<Item = (usize, Result<S, IntegrationError<S>>)>,

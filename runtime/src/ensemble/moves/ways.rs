@@ -1,4 +1,4 @@
-//! The steps of a few members in one register, where they end at times of their own.
+//! The steps of a few members in one register, where each may end at times of its own.
 
 #![allow(
     clippy::float_cmp,
@@ -18,8 +18,8 @@ use crate::numbers::lanes::{Lanes, Register, Work};
 use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
-/// The progress of each member of a register. Steps end as where a course leads a run of equal
-/// steps, so each member moves as it would alone, to the bit.
+/// The progress of each member of a register. Steps end where the course of a single body with
+/// equal steps would end them, so each member moves as it would alone, to the bit.
 pub(super) struct Ways<'e, M> {
     fixed: Fixed<M>,
     limits: &'e Limits,
@@ -31,7 +31,7 @@ pub(super) struct Ways<'e, M> {
     moves: bool,
 }
 
-/// Equal steps of one member, in a stretch; none at the end.
+/// Equal steps of one member within a stretch; none at the end.
 #[derive(Clone, Copy)]
 struct Way {
     stretch: Stretch,
@@ -149,7 +149,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
             for lane in 0..self.count {
                 let way = &mut self.each[lane];
                 way.taken += 1;
-                // the longest step counts from where the last one has led
+                // the longest step is counted from the end of the last step
                 if way.taken >= way.steps || self.limits.max_step < f64::INFINITY {
                     self.go_on((body, input), lane);
                 }
@@ -167,7 +167,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
     }
 }
 
-/// The members of those registers in which each has steps of its own.
+/// The members of the registers in which members take different steps.
 pub(super) struct Apart<'e, M, B: Generic> {
     pub(super) plan: &'e Plan<'e, Fixed<M>, B>,
     pub(super) states: &'e mut [Eight],

@@ -8,11 +8,11 @@ use super::whole::Whole;
 /// A sum of integers times powers of two, in digits of 32 bits (U. Kulisch, "Computer arithmetic
 /// and validity", 2013).
 ///
-/// Digits are signed and may exceed 32 bits, so that carries wait.
+/// Digits are signed and may exceed 32 bits, so that carries can be deferred.
 #[derive(Clone, Debug)]
 pub(super) struct Digits<const N: usize> {
     digits: [i64; N],
-    /// The number of additions since carries were passed on.
+    /// The number of additions since the last propagation of carries.
     waiting: u32,
 }
 
@@ -33,7 +33,7 @@ impl<const N: usize> Digits<N> {
         }
         self.waiting += 1;
         let (place, shift) = (power / 32, power % 32);
-        // in two halves: a shift within 128 bits loses nothing
+        // in two halves, so that no bits are shifted beyond 128
         let low = (integer & u128::from(u64::MAX)) << shift;
         let high = (integer >> 64) << shift;
         for (offset, part) in [(0, low), (2, high)] {
@@ -57,8 +57,8 @@ impl<const N: usize> Digits<N> {
         self.carry();
     }
 
-    /// The same sum, with all digits but the last in 32 bits and not negative: one representation
-    /// of each sum.
+    /// The same sum with carries propagated: all digits but the last have 32 bits and are not
+    /// negative. This representation is unique.
     pub(super) fn canonical(&self) -> Self {
         let mut canonical = self.clone();
         canonical.carry();

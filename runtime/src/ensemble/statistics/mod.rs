@@ -18,8 +18,9 @@ use crate::bodies::columns::{Columns, Generic, Sink};
 
 /// The moments of each column of some values.
 ///
-/// Sums are exact until they are asked for, so the bits of a mean do not depend on how the values
-/// are divided among shards, processes and threads, nor on the order in which they are merged.
+/// Sums are exact until a result is requested. The bits of a mean therefore depend neither on how
+/// the values are divided among shards, processes and threads, nor on the order in which they are
+/// merged.
 ///
 /// ```
 /// use newton_euler::ensemble::Statistics;
@@ -174,8 +175,8 @@ impl Sink<f64> for Row<'_> {
     }
 }
 
-/// The members of a shard, from its first up to the first of the next: of `members` in all, divided
-/// into `shards` whose sizes differ by at most one.
+/// The members of a shard, as a range. `members` are divided into `shards` whose sizes differ by at
+/// most one.
 ///
 /// ```
 /// use newton_euler::ensemble::shard;

@@ -3,13 +3,13 @@
 use super::digits::Digits;
 use super::whole::Whole;
 
-/// Digits for a sum of 2⁶⁴ doubles, and for that of their squares.
+/// Digits for a sum of 2⁶⁴ doubles, and for the sum of their squares.
 const SUM: usize = 69;
 const SQUARES: usize = 136;
 
-/// Count, mean, variance and extremes of numbers, exact until they are rounded once.
+/// Count, mean, variance and extremes of numbers, exact until the final rounding.
 ///
-/// Infinite numbers and NaN are counted apart, and do not enter the others.
+/// Infinite numbers and NaN are counted separately, and do not enter the others.
 ///
 /// ```
 /// use newton_euler::ensemble::Moments;
@@ -105,7 +105,7 @@ impl Moments {
         self.not_finite
     }
 
-    /// The mean, correctly rounded; none of no numbers.
+    /// The mean, correctly rounded; `None` if there are no numbers.
     #[must_use]
     pub fn mean(&self) -> Option<f64> {
         let (is_negative, size) = (self.count > 0).then(|| self.sum.whole())?;
@@ -113,8 +113,8 @@ impl Moments {
         Some(if is_negative { -mean } else { mean })
     }
 
-    /// The sum of the squares of the distances from the mean, over the count less one, correctly
-    /// rounded; none of fewer than two numbers.
+    /// The sample variance, correctly rounded: the sum of squared deviations from the mean, divided
+    /// by the count minus one. `None` for fewer than two numbers.
     #[must_use]
     pub fn variance(&self) -> Option<f64> {
         let others = self.count.checked_sub(1).filter(|others| *others > 0)?;
@@ -122,8 +122,8 @@ impl Moments {
         Some(variance.rounded(-2148 - 6 * 32))
     }
 
-    /// The count times the sum of squares, less the square of the sum; none if that is negative,
-    /// which it is of no numbers.
+    /// The count times the sum of squares, minus the square of the sum; `None` if negative, which
+    /// is impossible for actual numbers.
     fn spread(&self) -> Option<Whole> {
         let ((_, sum), (_, squares)) = (self.sum.whole(), self.squares.whole());
         squares
@@ -131,7 +131,7 @@ impl Moments {
             .minus(&sum.times(&sum))
     }
 
-    /// Whether there are numbers with these moments, as far as it is cheap to say.
+    /// Whether there can be numbers with these moments, as far as a cheap check can tell.
     #[cfg(feature = "serde")]
     pub(super) fn is_possible(&self) -> bool {
         let is_nothing = self.sum == Digits::ZERO && self.squares == Digits::ZERO;

@@ -1,8 +1,8 @@
-//! Whole numbers of any size, as far as means and variances need them.
+//! Integers of any size, as far as means and variances need them.
 
 use alloc::vec::Vec;
 
-/// A whole number, by its digits of 32 bits, the last ones first.
+/// A nonnegative integer, by its digits of 32 bits, least significant first.
 #[derive(Clone, Debug)]
 pub(super) struct Whole(Vec<u32>);
 
@@ -30,7 +30,7 @@ impl Whole {
         Self(product)
     }
 
-    /// The difference to a number; none if that is larger.
+    /// The difference from a number; `None` if that is larger.
     pub(super) fn minus(&self, other: &Self) -> Option<Self> {
         let at = |number: &Self, place: usize| i64::from(number.0.get(place).copied().unwrap_or(0));
         let mut borrowed = 0;
@@ -43,8 +43,9 @@ impl Whole {
         (borrowed == 0).then_some(Self(digits))
     }
 
-    /// The quotient by a number that is not zero, times 2³², with a last digit of one if there is a
-    /// remainder and zero if not: it rounds as the quotient does, and divided again, too.
+    /// The quotient by a nonzero number, times 2³², with a sticky last digit: one if there is a
+    /// remainder, zero otherwise. It therefore rounds as the exact quotient does, also after
+    /// another division.
     pub(super) fn over(mut self, divisor: u64) -> Self {
         let mut rest = 0_u128;
         for digit in self.0.iter_mut().rev() {
@@ -62,7 +63,7 @@ impl Whole {
         self
     }
 
-    /// The nearest double to the number times a power of two; of two that are as near, the even.
+    /// The nearest double to the number times a power of two; ties go to even.
     pub(super) fn rounded(&self, power: i32) -> f64 {
         let Some(last) = self.0.iter().rposition(|digit| *digit != 0) else {
             return 0.0;

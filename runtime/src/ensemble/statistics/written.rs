@@ -18,7 +18,7 @@ struct Written {
     squares: Sparse,
 }
 
-/// Digits without the zeros before and after them.
+/// Digits without leading and trailing zeros.
 #[derive(Serialize, Deserialize)]
 struct Sparse {
     first: usize,

@@ -18,8 +18,8 @@ mod wobble;
 use passage::Passage;
 use sweep::Sweep;
 
-/// A body that is symmetric about an axis e, under a constant couple N e that rotates with it, such
-/// as a stage that spins up, or down and then the other way.
+/// A body that is symmetric about an axis e, under a constant couple N e that rotates with it: for
+/// example a stage that spins up, or one that spins down and then reverses.
 ///
 /// With the moments A across the axis and C about it, the rate of spin is linear in time,
 /// `r = r₀ + N t/C`. The angular velocity across the axis keeps its length w, and turns in the body
@@ -114,7 +114,7 @@ pub(super) struct Spinning {
     exponent: i32,
     /// κ θ is the first times t, plus the second times t².
     spin: [Twofold; 2],
-    /// P; none if there is no angular velocity across e.
+    /// P; `None` if there is no angular velocity across e.
     passage: Option<Passage>,
 }
 
@@ -240,6 +240,6 @@ impl Spinning {
 /// The parts of a vector along an axis, and across it.
 fn parts(axis: &Vector3<f64>, w: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
     let off = |vector: Vector3<f64>| vector - axis * axis.dot(&vector);
-    // twice: the remainder of the first may not be across the axis
+    // repeated, because the remainder of the first subtraction may not be exactly across the axis
     (axis * axis.dot(w), off(off(*w)))
 }

@@ -1,4 +1,4 @@
-//! The rotation P of a vector that sweeps: `P' = P (i w + k u)/2`, one at time zero.
+//! The rotation P of a vector that sweeps: `P' = P (i w + k u)/2`, with P = 1 at time zero.
 
 use nalgebra::Quaternion;
 
@@ -12,9 +12,9 @@ use crate::numbers::twofold::Twofold;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Passage {
     sweep: Sweep,
-    /// With the initial P of the reversal; none if the vector sweeps slowly throughout.
+    /// The reversal, with its initial P; `None` if the vector sweeps slowly throughout.
     reversal: Option<(Quaternion<f64>, Reversal)>,
-    /// For negative u, and for positive; identical without a reversal.
+    /// For negative u and for positive u; identical if there is no reversal.
     precessions: [Leg; 2],
 }
 
@@ -72,7 +72,7 @@ impl Passage {
     }
 }
 
-/// A leg of precession about the vector, from a point on.
+/// A leg of precession about the vector, beginning at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Leg {
     time: Twofold,

@@ -1,8 +1,8 @@
 //! The rotation while the spin reverses, where λ is small.
 //!
-//! In the unit `√b` of rates, `R' = R (i g + k τ/2)` with `g = w/(2 √b)` and τ = u: the
-//! coefficients of its Taylor series have a recurrence of three terms. R is one at τ = 0, and from
-//! there series lead on. `R(-τ) = k* R(τ) k`.
+//! In the unit `√b` of rates, `R' = R (i g + k τ/2)` with `g = w/(2 √b)` and τ = u. The
+//! coefficients of its Taylor series have a recurrence of three terms. R is one at τ = 0, and
+//! series continue from there. `R(-τ) = k* R(τ) k`.
 
 use nalgebra::Quaternion;
 
@@ -70,7 +70,7 @@ impl Reversal {
             reason = "a small whole number"
         )]
         let node = &self.nodes[(nearest as usize).min(NODES - 1)];
-        // τ in twice the precision: far out R rotates by many radians per unit
+        // τ in twice the precision: far from zero, R rotates by many radians per unit
         let rest = (along - Twofold::from(nearest)).value();
         let r = advanced(node, self.across, nearest, rest);
         if is_before {

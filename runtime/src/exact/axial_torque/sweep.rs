@@ -61,7 +61,7 @@ impl Sweep {
     /// ∫ λ dt = (u λ + w² asinh(u/w))/2b, between the two      tanh(y/2) = b t/(λ₀ + λ₁)
     /// ```
     ///
-    /// in a form that does not cancel, however small b is.
+    /// in a form that does not cancel, even for small b.
     pub fn phase(&self, from: &Place, to: &Place, time: Twofold) -> Twofold {
         let lengths = from.length + to.length;
         let along = from.along + to.along;
@@ -71,7 +71,7 @@ impl Sweep {
     }
 }
 
-/// `artanh(x)/x`; where x rounds to one, that of the number below.
+/// `artanh(x)/x`; if x rounds to one, the value at the next smaller number.
 fn area_ratio(x: f64) -> f64 {
     let below = 1.0 - f64::EPSILON;
     let x = math::min(x.abs(), below);

@@ -9,8 +9,8 @@ use crate::numbers::scale;
 /// `R_J(x, y, z, p) = (3/2) ∫₀^∞ dt / ((t + p) √((t + x)(t + y)(t + z)))`.
 ///
 /// x, y and z are not negative, and p is positive; the integral is infinite if two of x, y, z are
-/// zero, or p is. By duplication: each step brings all arguments four times nearer to each other,
-/// then the Taylor series is summed to the terms of seventh order.
+/// zero, or p is. It is computed by duplication: each step brings all arguments four times nearer
+/// to each other. Then the Taylor series is summed up to terms of seventh order.
 ///
 /// ```
 /// use newton_euler::exact::r_j;
@@ -69,7 +69,7 @@ pub fn r_j(x: f64, y: f64, z: f64, p: f64) -> f64 {
 /// `R_C(1, 1 + e)`, `e > -1`: `atan(√e)/√e`.
 fn r_c(e: f64) -> f64 {
     if e.abs() < 0.01 {
-        // of the alternating 1/(2 n + 1), what is left out is below 2⁻⁵³
+        // the series of 1/(2 n + 1) alternates: the remainder is below 2⁻⁵³
         let divisors = [15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0];
         let sum = divisors
             .iter()

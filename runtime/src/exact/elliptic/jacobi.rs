@@ -1,14 +1,15 @@
 //! Jacobi's elliptic functions, from the complementary modulus.
 //!
-//! By the arithmetic-geometric mean: R. Bulirsch, Numerical calculation of elliptic integrals and
-//! elliptic functions, Numerische Mathematik 7 (1965) 78. All sums have positive terms, so
-//! cn and dn keep their digits where they are small. Motions that pass near a saddle need that.
+//! The method is the arithmetic-geometric mean: R. Bulirsch, Numerical calculation of elliptic
+//! integrals and elliptic functions, Numerische Mathematik 7 (1965) 78. All sums have positive
+//! terms, so cn and dn keep their digits where they are small. Motions that pass near a saddle need
+//! that.
 
 use core::f64::consts::FRAC_PI_2;
 
 use crate::numbers::math;
 
-/// Means from 1 and k' until they agree to half of their digits; the smallest k' needs 13.
+/// Means from 1 and k', until they agree to half of their digits; the smallest k' needs 13.
 const LEVELS: usize = 14;
 
 /// sn, cn and dn of one argument.
@@ -129,8 +130,8 @@ impl Jacobi {
         Elliptic { sn, cn: c * sn, dn }
     }
 
-    /// The functions of a sum, from those of two arguments with `cn >= 0`. cn and dn keep their
-    /// digits where they are small: among equivalent forms, the one that does not cancel is used.
+    /// The functions of a sum, from those of two arguments with `cn >= 0`. Among equivalent forms,
+    /// the one that does not cancel is used, so cn and dn keep their digits where they are small.
     pub(in crate::exact) fn sum(&self, a: Elliptic, b: Elliptic) -> Elliptic {
         let complement = self.complement;
         let square = (1.0 - complement) * (1.0 + complement);

@@ -32,7 +32,7 @@ pub(in crate::exact) struct Reading {
     pub angle: f64,
     /// The functions of `start + v`.
     pub sum: Elliptic,
-    /// Whether u is further by an odd number of half periods.
+    /// Whether u is an odd number of half periods beyond `start + v`.
     is_opposite: bool,
 }
 

@@ -4,9 +4,9 @@
 //! R(u) = ∫₀ᵘ sn²/(1 + m sn²) du = s³/3 R_J(cn², dn², 1, 1 + m s²)      s = sn u
 //! ```
 //!
-//! After the time t, v is added to the start u, without whole half periods. The addition theorem
-//! gives R (P. F. Byrd, M. D. Friedman, Handbook of Elliptic Integrals, 116), so a
-//! short time does not have the error of a long one:
+//! After the time t, v has been added to the start u, without whole half periods. The addition
+//! theorem gives R (P. F. Byrd, M. D. Friedman, Handbook of Elliptic Integrals, 116), so a short
+//! time does not get the error of a long one:
 //!
 //! ```text
 //! R(u + v) - R(u) = R(v) + atan(g sn u sn v s/(1 + m - m cn u cn v cn(u + v)))/g
@@ -34,7 +34,7 @@ pub(in crate::exact) struct ThirdKind {
 }
 
 impl ThirdKind {
-    /// From m, 1 + m and g, as each may be known more accurately than it follows from the others.
+    /// From m, 1 + m and g: each may be known more accurately than it follows from the others.
     pub fn new(jacobi: &Jacobi, [parameter, above, scale]: [f64; 3]) -> Self {
         let last = jacobi.complement();
         Self {

@@ -143,8 +143,8 @@ impl FreeRotation {
         Self(Case::Regular(Regular::steady(state)))
     }
 
-    /// The time after which the angular velocity in the body repeats \[s\]; none if it is
-    /// constant, and on the separatrix, where it never repeats.
+    /// The time after which the angular velocity in body axes repeats \[s\]. `None` if it is
+    /// constant, or on the separatrix, where it never repeats.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         match &self.0 {

@@ -32,10 +32,9 @@ use turning_points::{Start, TurningPoints};
 /// Klein, A. Sommerfeld, Über die Theorie des Kreisels (1897), chapter VI; E. T. Whittaker,
 /// Analytical Dynamics, §§ 71 to 74.
 ///
-/// Errors are one rounding per radian turned, also if the top nearly precesses steadily,
-/// sleeps, or falls along the separatrix. The sign of the quaternion is continuous in time. A top
-/// at rest falls in the direction of its tilt, however small, down to 1e-70;
-/// below that it stays at rest.
+/// Errors are one rounding per radian turned, even if the top nearly precesses steadily, sleeps, or
+/// falls along the separatrix. The sign of the quaternion is continuous in time. A top at rest
+/// falls in the direction of its tilt, however small, down to 1e-70; below that it stays at rest.
 ///
 /// ```
 /// use newton_euler::exact::{LagrangeTop, Path};
@@ -83,9 +82,9 @@ impl LagrangeTop {
         )
     }
 
-    /// The time in which the axis falls and rises once \[s\]; none if its height is constant
-    /// without a couple, or upright or hanging at rest, and on the separatrix, where it
-    /// never falls back.
+    /// The time in which the axis falls and rises once \[s\]. `None` in three cases: the height is
+    /// constant because there is no couple; the top is at rest upright or hanging; or it moves on
+    /// the separatrix, where it never falls back.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         match &self.0 {
@@ -117,7 +116,7 @@ impl Path for LagrangeTop {
     }
 }
 
-/// For tilts below this, an attitude has fewer digits of the tilt than of itself.
+/// For tilts below this, an attitude gives the tilt to fewer digits than the attitude itself has.
 const NEAR: f64 = 0.1;
 
 /// Tilts, and velocities in their unit, whose fourth powers do not underflow.
@@ -218,7 +217,7 @@ struct Nutation {
 }
 
 impl Nutation {
-    /// None if the axis is on the vertical and at rest.
+    /// `None` if the axis is vertical and at rest.
     fn new(
         [across, along]: [f64; 2],
         axis: Vector3<f64>,
@@ -279,7 +278,7 @@ impl Nutation {
             .parameters
             .map(|parameter| parameter.at(time, &self.phase, &reading));
         let turning = Complex::new(0.0, self.spin);
-        // α' and β' without the spin, computed by that of the smaller parameter
+        // α' and β' without the spin, computed from the derivative of the smaller parameter
         let [upright, hanging] = [alpha, beta].map(|parameter| parameter.norm_sqr());
         let omega = if upright >= hanging {
             alpha.conj() * (turning * beta + rising * self.double_rate) / upright
@@ -340,7 +339,7 @@ fn onto_third(unit: &Vector3<f64>) -> Quaternion<f64> {
     attitude::to_third_axis(&turned) * Quaternion::new(0.0, 1.0, 0.0, 0.0)
 }
 
-/// Whether an attitude determines a tilt of the third axis only to few digits.
+/// Whether an attitude determines the tilt of the third axis to few digits only.
 fn is_next_to_vertical(attitude: &Quaternion<f64>) -> bool {
     let is_near = |a: f64, b: f64| f64::max(a.abs(), b.abs()) < NEAR;
     is_near(attitude.w, attitude.k) || is_near(attitude.i, attitude.j)

@@ -1,5 +1,5 @@
-//! Quaternions in twice the precision: next to the vertical, the tilt is what an attitude and the
-//! axes leave.
+//! Quaternions in twice the precision: near the vertical, the tilt is the small difference between
+//! the attitude and the axes.
 
 use core::ops::Mul;
 

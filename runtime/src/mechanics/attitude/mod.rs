@@ -113,8 +113,8 @@ pub fn turned(attitude: &UnitQuaternion<f64>, rotation: &Vector3<f64>) -> UnitQu
     generic::turned(attitude, rotation)
 }
 
-/// An attitude in serialized form, as a map of its components by name, `{ w, x, y, z }`, so that no
-/// reader has to guess the place of the scalar.
+/// An attitude in serialized form: a map of its components by name, `{ w, x, y, z }`, so that no
+/// reader has to guess which one is the scalar.
 #[cfg(feature = "serde")]
 pub(crate) mod checked {
     use nalgebra::{Quaternion, UnitQuaternion, Vector4};
@@ -122,9 +122,9 @@ pub(crate) mod checked {
 
     use crate::numbers::scalar::Scalar;
 
-    /// The permitted deviation of |q|² from 1 on reading: nine printed digits of a double pass,
-    /// single precision does not, and an accepted attitude is unit to rounding after the first step
-    /// of a motion (see [`super::normalized`]). It is kept as read.
+    /// The permitted deviation of |q|² from 1 on reading. An attitude printed with nine digits
+    /// passes, one in single precision does not. An accepted attitude is kept as read; it is unit
+    /// to rounding after the first step of a motion (see [`super::normalized`]).
     fn tolerance<T: Scalar>() -> f64 {
         f64::max(1e-9, 8.0 * T::EPSILON)
     }

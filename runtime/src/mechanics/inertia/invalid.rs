@@ -1,4 +1,4 @@
-//! The conditions on an inertia tensor, and the errors of their violation.
+//! The conditions on an inertia tensor, and the errors if one is violated.
 
 use core::fmt;
 
@@ -59,7 +59,8 @@ pub enum InvalidInertia {
         /// Principal moments, ascending \[kg m²\].
         moments: [f64; 3],
     },
-    /// The moment of inertia about some axis is zero, but the body must be able to rotate about it.
+    /// The moment of inertia about some axis is zero, although the body must be able to rotate
+    /// about it.
     Singular,
     /// A mass is negative or not finite, or all masses are zero.
     Mass {

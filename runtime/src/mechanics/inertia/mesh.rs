@@ -60,9 +60,9 @@ impl core::error::Error for InvalidMesh {}
 const NOTHING: f64 = 1e-13;
 
 impl MassProperties {
-    /// From an STL file, text or binary, whose triangles are counterclockwise seen from outside.
-    /// Scale is metres per unit of the file, such as 1e-3, and density is in kg/m^3. Results are in
-    /// the axes of the file, the center from its origin.
+    /// The mass properties from an STL file, text or binary, whose triangles are counterclockwise
+    /// seen from outside. Scale is metres per unit of the file, such as 1e-3, and density is in
+    /// kg/m^3. Results are in the axes of the file, the center from its origin.
     ///
     /// Vertices at identical positions, to the bit, are merged.
     ///
@@ -86,8 +86,9 @@ impl MassProperties {
         Self::from_triangles(&vertices, &triangles, density)
     }
 
-    /// From a closed surface: vertices \[m\] in body axes from any origin, triangles by the indices
-    /// of their vertices, counterclockwise seen from outside; density in kg/m^3.
+    /// The mass properties of a closed surface: vertices \[m\] in body axes from any origin,
+    /// triangles by the indices of their vertices, counterclockwise seen from outside; density in
+    /// kg/m^3.
     ///
     /// Integrates over the tetrahedra between the triangles and a vertex, and again from the
     /// resulting center of mass (D. Eberly, Polyhedral Mass Properties (Revisited), does the same

@@ -1,13 +1,14 @@
 //! The inertia tensor of a possible body.
 //!
-//! Two conventions for its off-diagonals are in use, and published numbers seldom say which. A
-//! *product of inertia* here is `Jxy = +∫xy dm`; the *entry of the tensor* is its negative.
-//! [`InertiaTensor::products`] takes the former, [`InertiaTensor::tensor`] the latter; there is no
-//! default.
+//! Two conventions for off-diagonal entries are in use, and published numbers seldom say which one
+//! they follow. A *product of inertia* here is `Jxy = +∫xy dm`; the *entry of the tensor* is its
+//! negative. [`InertiaTensor::products`] takes the former, [`InertiaTensor::tensor`] the latter;
+//! there is no default.
 //!
 //! A body with these moments exists iff J is symmetric and `½ tr(J) 1 - J = ∫ r rᵀ dm` is positive
-//! semidefinite: in every frame, no moment exceeds the sum of the other two, and `|Jxy|` is at most
-//! half of `Jzz`. Equality is a plane body and allowed, up to rounding: [`InertiaTensor::SLACK`].
+//! semidefinite. Then in every frame no moment exceeds the sum of the other two, and `|Jxy|` is at
+//! most half of `Jzz`. Equality holds for a plane body. It is allowed, up to rounding:
+//! [`InertiaTensor::SLACK`].
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
@@ -48,9 +49,9 @@ pub struct InertiaTensor {
 }
 
 impl InertiaTensor {
-    /// The possible rounding of a principal moment, relative to the largest: four units in the last
-    /// place. Four times as much if there are products, since entries in rotated axes carry more
-    /// rounding.
+    /// The largest relative rounding of a principal moment: four units in the last place of the
+    /// largest one. It is four times as much if there are products, since entries in rotated axes
+    /// carry more rounding.
     pub const SLACK: f64 = invalid::SLACK;
 
     /// Principal moments along the body axes.

@@ -62,7 +62,7 @@ pub enum Reduction {
 /// The thresholds of zero in [`Wrench::reduce_within`].
 ///
 /// Whether a force is negligible compared with a moment, or the reverse, depends on the length
-/// scale, which a wrench does not know: [`Tolerance::at_scale`] takes it as an argument.
+/// scale, which a wrench does not contain: [`Tolerance::at_scale`] takes it as an argument.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// A resultant up to this counts as zero \[N\].
@@ -75,11 +75,12 @@ pub struct Tolerance {
 }
 
 impl Tolerance {
-    /// Only zero is zero, and F·K up to eight units in the last place of |F||K|.
+    /// Only exact zeros are zero, and F·K up to eight units in the last place of |F||K|.
     ///
-    /// A moment computed as arm × force, with the arm perpendicular to the force, leaves up to
-    /// three of them: 2√2 roundings of half a unit in the cross product, three in the scalar
-    /// product. A sum of two or three such moments of about the same size passes, too.
+    /// A moment computed as arm × force, with the arm perpendicular to the force, gives an F·K of
+    /// up to three of these units: 2√2 roundings of half a unit in the cross product, three in the
+    /// scalar product. A sum of two or three such moments of about the same size is within the
+    /// tolerance, too.
     pub const EXACT: Self = Self {
         force: 0.0,
         moment: 0.0,
@@ -122,13 +123,13 @@ impl Tolerance {
 impl Wrench {
     /// The simplest equivalent, with [`Tolerance::EXACT`].
     ///
-    /// Accurate at every size of force and moment: a wrench times a power of two gives the same
-    /// line and pitch to the bit. A line or pitch beyond the largest double (1e-200 N with 1e200 N
-    /// m) gives a couple. The result of a non-finite wrench is not finite either.
+    /// The result is accurate at every size of force and moment: a wrench times a power of two
+    /// gives the same line and pitch to the bit. A line or pitch beyond the largest double (1e-200
+    /// N with 1e200 N m) gives a couple. The result of a non-finite wrench is not finite either.
     ///
-    /// A moment has the rounding of the loads in its sum, which may be larger than the moment and
-    /// is not known here: a single force far along its line from the pole may come out as a screw
-    /// of tiny pitch. Then use [`Wrench::reduce_within`].
+    /// A moment has the rounding of the loads in its sum. That may be larger than the moment
+    /// itself, and is not known here: a single force far along its line from the pole may come out
+    /// as a screw of tiny pitch. Use [`Wrench::reduce_within`] in such cases.
     ///
     /// ```
     /// use newton_euler::nalgebra::Vector3;
@@ -146,8 +147,8 @@ impl Wrench {
 
     /// The simplest equivalent, with values within a tolerance taken as zero.
     ///
-    /// These are dropped: for a couple or nothing, the force and the moment within tolerance; for a
-    /// single force, the moment along it.
+    /// Values within tolerance are dropped: the force and the moment, for a couple or nothing; the
+    /// moment along the force, for a single force.
     #[must_use]
     pub fn reduce_within(&self, tolerance: &Tolerance) -> Reduction {
         let Self { force, moment } = *self;
@@ -255,8 +256,8 @@ impl PlanarWrench {
         self.reduce_within(&Tolerance::EXACT)
     }
 
-    /// The simplest equivalent, with a force, or a moment without force, within tolerance taken as
-    /// zero.
+    /// The simplest equivalent, with a force within tolerance taken as zero, and likewise a moment
+    /// without a force.
     #[must_use]
     pub fn reduce_within(&self, tolerance: &Tolerance) -> PlanarReduction {
         let Self { force, moment } = *self;

@@ -1,8 +1,8 @@
 //! Several doubles in one register, of the width of the processor.
 //!
 //! Operations are those of `f64` in each lane, without fused ones. Sines and cosines are computed
-//! in all lanes at once, other elementary functions lane by lane: each number is the same as alone,
-//! to the bit.
+//! in all lanes at once, other elementary functions lane by lane. Each lane gives the same bits as
+//! `f64` alone.
 
 mod arithmetic;
 mod register;

@@ -82,7 +82,7 @@ fn one_by_one(angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
     }
 }
 
-/// Sine and cosine, and the lanes in which they are those of libm.
+/// Sine and cosine, and the lanes in which they have the bits of libm.
 #[cfg_attr(not(unoptimized), inline(always))]
 fn side_by_side<S: Register>(angle: Lanes<S>) -> ((Lanes<S>, Lanes<S>), Mask<S>) {
     let simd = angle.simd;
@@ -101,7 +101,8 @@ fn number<S: Register>(simd: S, number: f64) -> Lanes<S> {
     Lanes::splat(simd, number)
 }
 
-/// The angle minus n quarter turns, in two parts, and the lanes in which these are settled.
+/// The angle minus n quarter turns, in two parts, and the lanes in which these have the bits of
+/// libm.
 ///
 /// A second part of π/2 is subtracted where the exponent falls by more than 16.
 #[cfg_attr(not(unoptimized), inline(always))]

@@ -64,9 +64,9 @@ pub trait Scalar:
     /// The count of numbers.
     const LANES: usize;
 
-    /// A constant. It is made from any value at hand, which is not read, because numbers over a
-    /// register chosen at run time cannot be made from nothing. The constant is given rounded to
-    /// each precision.
+    /// A constant, given in double and in single precision. `self` may be any value and is not
+    /// read: it is there because a number in a register chosen at run time cannot be made from
+    /// nothing.
     #[must_use]
     fn constant(self, double: f64, single: f32) -> Self;
 
@@ -86,11 +86,11 @@ pub trait Scalar:
     #[must_use]
     fn equal(self, other: Self) -> Self::Truth;
 
-    /// `if truth { first } else { second }`, with both values computed.
+    /// `if truth { first } else { second }`; both values are computed.
     #[must_use]
     fn select(truth: Self::Truth, first: Self, second: Self) -> Self;
 
-    /// The common truth of all numbers, if they agree.
+    /// The truth of all numbers if it is the same, otherwise none.
     #[must_use]
     fn agreed(truth: Self::Truth) -> Option<bool>;
 

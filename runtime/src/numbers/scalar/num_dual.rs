@@ -9,9 +9,9 @@ use crate::numbers::math;
 
 /// A number of the crate `num-dual` as a [`Scalar`]: derivatives of first, second and third order.
 ///
-/// Values and derivatives are those of that crate, and thus of the platform's library. At a
+/// Values and derivatives are those of that crate, so they depend on the platform's library. At a
 /// kink of a function, the derivative is that of the branch of the value. Where a slope is
-/// infinite, as of the square root of zero, derivatives are NaN; [`Dual`](super::Dual) has zero
+/// infinite, as for the square root of zero, derivatives are NaN; [`Dual`](super::Dual) gives zero
 /// there if the number does not change.
 ///
 /// ```

@@ -13,7 +13,7 @@ pub use parts::{
 pub use written::{Name, fill, finite, found, ignore, next};
 
 /// Defines the state of a system and its acceleration: two structs with a field for each joint, in
-/// the order written.
+/// the order in which they are written.
 ///
 /// ```
 /// use newton_euler::prelude::*;

@@ -79,7 +79,7 @@ impl<'t> File<'t> {
                 found + 1
             }
             (Some((_, place)), None) => {
-                let message = format!("`{}` has no header, by which a column is named", self.name);
+                let message = format!("`{}` has no header that names its columns", self.name);
                 return errors.report(place, message);
             }
             (None, header) => self.only_column(header, errors)?,
@@ -116,7 +116,7 @@ impl<'t> File<'t> {
     pub fn grid(mut self, errors: &mut Errors) -> Option<Grid> {
         if self.rows[0].cells.len() < 3 {
             let message = format!(
-                "`{}` has no two columns of values behind the places",
+                "`{}` needs two columns of values after the places",
                 self.name
             );
             return errors.report(self.place, message);
@@ -158,14 +158,14 @@ impl<'t> File<'t> {
 
     fn increasing(&self, column: Column, errors: &mut Errors) -> Option<Column> {
         if column.numbers.len() < 2 {
-            let message = format!("`{}` has less than two rows of values", self.name);
+            let message = format!("`{}` has fewer than two rows of values", self.name);
             return errors.report(self.place, message);
         }
         match column.first_back() {
             None => Some(column),
             Some(place) => errors.report(
                 place,
-                "the places of a table increase, and this is not beyond the one before",
+                "the places of a table must increase, and this one does not exceed the one before it",
             ),
         }
     }

@@ -279,7 +279,7 @@ impl Lowering<'_> {
         if let Some(place) = column.first_back() {
             return self.report(
                 place,
-                "the places of a table increase, and this is not beyond the one before",
+                "the places of a table must increase, and this one does not exceed the one before it",
             );
         }
         Some(column)

@@ -64,10 +64,7 @@ impl Reader<'_> {
         }
         let all = coordinates(kind);
         if !has_numbers(kind) {
-            let message = format!(
-                "`{}` has no coordinates that are numbers: none to prescribe",
-                kind.word
-            );
+            let message = format!("`{}` has no scalar coordinates to prescribe", kind.word);
             errors.push(word.span(), message);
             return None;
         }

@@ -91,7 +91,9 @@ impl Reader<'_> {
 /// Whether a joint may close a loop, or why not.
 fn may_close(joint: &ReadJoint) -> Result<(), &'static str> {
     if joint.kind.holds == Holds::Center {
-        Err("what is joined to the ground by its G has no other joint: leave one of both out")
+        Err(
+            "a body that is joined to the ground by its G has no other joint: leave one of them out",
+        )
     } else if joint.armature.is_some() {
         Err(
             "a joint that closes a loop has no coordinate with an armature: write it before the other one, \

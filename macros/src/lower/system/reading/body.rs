@@ -256,7 +256,7 @@ impl<'a> Reader<'a> {
             let written = written.filter(|_| known);
             let loads = every(written.map(|load| {
                 if load.charges.is_some() {
-                    let message = "fields on charges are not there yet in systems";
+                    let message = "systems do not support fields on charges yet";
                     return lowering.report(load.name.span(), message);
                 }
                 if let Some(unknown) = first_unknown(load) {

@@ -82,7 +82,7 @@ pub fn check_driving(system: &syntax::System, outline: &mut Outline, errors: &mu
             return true;
         };
         let message = format!(
-            "`{joint}` is the drive that is found of `{driven}`, beside the joints in the reactions: choose another name"
+            "`{joint}` is the name of the drive of `{driven}` in the reactions: choose another name"
         );
         errors.push(joint.span(), message);
         false

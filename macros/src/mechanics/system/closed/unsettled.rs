@@ -194,7 +194,7 @@ pub fn check_kept(
         let is_open = spare.any(|spare| !work.graph.vanishes(spare.loads[number]));
         if is_open && followed.contains(symbol) && !is_reported {
             let message = format!(
-                "loads follow that of `{}`, and the balances do not determine it: others can do all that it does",
+                "loads follow that of `{}`, and the balances do not determine it: others can replace it",
                 constraint.name
             );
             errors.push(constraint.extent, message);

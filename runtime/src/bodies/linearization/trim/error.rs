@@ -25,7 +25,7 @@ pub enum TrimError {
         /// The name.
         name: &'static str,
     },
-    /// A steady turn of a system without a freely moving body: nothing would turn.
+    /// A steady turn of a system without a freely moving body: nothing could turn.
     NothingTurns,
     /// More constraints and conditions than twice the coordinates of the state.
     TooMany,
@@ -39,12 +39,14 @@ pub enum TrimError {
     Unbalanced {
         /// The residual, the worst first.
         residual: [Option<Off>; FEW],
-        /// Held inputs that make the motion steady if they are free; if inputs do not, quantities
-        /// that reduce the residual to first order. The most effective first; none if nothing does.
+        /// Held inputs that would make the motion steady if they were free. If there are none, held
+        /// quantities that would reduce the residual to first order, the most effective first; none
+        /// if nothing does.
         held: [Option<&'static str>; FEW],
     },
-    /// Whatever the inputs, these user-defined states change where the rest is steady, as fuel
-    /// that burns or a battery that is drained: make them [`changing`](super::Search::changing).
+    /// User-defined states that change whatever the inputs are, although everything else can be
+    /// steady: fuel that burns, or a battery that is drained. Make them
+    /// [`changing`](super::Search::changing).
     Drifting {
         /// The residual, the worst first.
         residual: [Option<Off>; FEW],
@@ -52,7 +54,7 @@ pub enum TrimError {
         states: [Option<&'static str>; FEW],
     },
     /// The free quantities could reduce the residual further, but the steps did not converge: try a
-    /// closer start.
+    /// start closer to the solution.
     NotConverged {
         /// The residual, the worst first.
         residual: [Option<Off>; FEW],

@@ -93,7 +93,7 @@ impl<B: Coordinated<N, M>, const N: usize, const M: usize> Here<B, N, M> {
     }
 }
 
-/// The sizes of the terms of the equations, one for all equations of a unit.
+/// The sizes of the terms of the equations; equations with the same unit have the same size.
 fn sizes<L, const N: usize, const M: usize>(about: &About<L, N, M>) -> [[f64; 3]; N] {
     let mut sizes = [[0.0_f64; 3]; N];
     let rows = about.rows.list();

@@ -17,9 +17,9 @@ use crate::bodies::linearization::tangent;
 /// Steady motions and equilibria of bodies and systems with `outputs: [linearization]`.
 ///
 /// A motion is *steady* if nothing accelerates: rates stay constant, and so do user-defined states,
-/// but for those that may be [`changing`](Search::changing).
-/// With zero rates it is an equilibrium. With [`Search::turning`] it is a steady turn: velocities
-/// rotate with the world at a given rate, and so does the body.
+/// except those that may be [`changing`](Search::changing). With zero rates it is an equilibrium.
+/// With [`Search::turning`] it is a steady turn: velocities rotate with the world at a given rate,
+/// and so does the body.
 pub trait Trim<const STATES: usize, const INPUTS: usize>: Coordinated<STATES, INPUTS> {
     /// Begins the search for a steady motion near a state. Quantities that are not made
     /// [`free`](Search::free) keep their values.
@@ -124,7 +124,8 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
     /// Velocities change by `turning × velocity`, and bodies have the angular velocity `turning`.
     /// The center is found with the rest. Joints between bodies, and hinges, stay constant.
     ///
-    /// The turn is steady if the loads rotate as well: about the vertical, under weight.
+    /// The turn is steady if the loads rotate as well: for example a turn about the vertical, under
+    /// weight.
     pub fn turning(mut self, angular_velocity: impl Into<Vector3<f64>>) -> Self {
         self.steady.turning = Some(angular_velocity.into());
         for (place, kind) in B::PLACES.iter().enumerate() {
@@ -137,8 +138,8 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
 
     /// Quantities that need not stay constant, by their names in [`Linearized::STATES`]: fuel that
     /// burns, a battery that is drained, a velocity that grows. They keep their values in the
-    /// search, unless they are free, and the motion is steady but for them. Coordinates, such as
-    /// positions, change in any case.
+    /// search, unless they are free. The motion is steady except for them. Coordinates, such as
+    /// positions, may change in any case.
     pub fn changing<const K: usize>(mut self, names: [&'static str; K]) -> Self {
         let states = <B::Linearization as Linearized<N, M>>::STATES;
         for name in names {
@@ -291,8 +292,8 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         }
     }
 
-    /// Why the steps ended here, and what to do: to free inputs, if that helps, or to let states
-    /// change, or else what helps to first order.
+    /// Why the steps ended here, and what to do: free some inputs if that helps; otherwise let
+    /// states change; otherwise what helps to first order.
     fn lacking(&mut self, end: &Here<B, N, M>) -> TrimError
     where
         C: Conditions<B::State, B::Input>,

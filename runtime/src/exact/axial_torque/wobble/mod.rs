@@ -1,5 +1,5 @@
-//! Rotation about a vector that sweeps slowly: precession about it, and a wobble that keeps up with
-//! it.
+//! Rotation about a vector that sweeps slowly: precession about the vector, and a wobble that
+//! follows it.
 //!
 //! With T the turn from the third axis to `(w, 0, u) = λ (s, 0, c)`, and `ε = b/λ²`, the rotation P
 //! is, up to exponentially small terms in `1/ε`,
@@ -18,7 +18,7 @@
 //! (1 - c) K_m' - m K_m = (-1)^((m+1)/2) (1 - c) (1 + c)^m B_m
 //! ```
 //!
-//! for c from 0 to 1. What is added to the integral vanishes far out, and is odd in c.
+//! for c from 0 to 1. The correction to the integral vanishes far out, and is odd in c.
 
 mod coefficients;
 

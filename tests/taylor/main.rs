@@ -3,6 +3,7 @@
 #![allow(clippy::cast_precision_loss, reason = "orders and numbers of steps")]
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
+mod choice;
 mod constrained;
 mod despun;
 mod events;

@@ -1,7 +1,9 @@
 //! Series of what inputs that are `.moving` drive: in closed form, and beside DOP853.
 
 use nalgebra::{Quaternion, Unit, Vector2, Vector3};
-use newton_euler::integrate::{self, DormandPrince, Motion, Projected, Sample, taylor_step};
+use newton_euler::integrate::{
+    self, DormandPrince, Motion, Projected, Sample, TaylorSeries, taylor_step,
+};
 use newton_euler::prelude::*;
 
 rigid_body!(Pulled {
@@ -42,7 +44,11 @@ fn assert_pulled(state: &PlanarTranslation, time: f64) {
 #[test]
 fn a_spring_to_a_hook_in_closed_form() {
     let (body, rest) = (Pulled::default(), PlanarTranslation::default());
-    let motion = || body.integrate(&rest).input(hooks()).tolerance(1e-14);
+    let motion = || {
+        body.integrate(&rest)
+            .input(hooks())
+            .method(TaylorSeries { tolerance: 1e-14 })
+    };
     for time in [0.4, 5.0, -3.0] {
         assert_pulled(&motion().to(time).unwrap(), time);
         assert_pulled(&motion().max_step(0.3).to(time).unwrap(), time);
@@ -111,7 +117,10 @@ fn a_support_that_moves() {
         pivot_rate: Vector2::new(0.3, 0.1 + 0.8 * time),
         pivot_acceleration: Vector2::new(0.0, 0.8),
     };
-    let series = || body.integrate(&start).tolerance(1e-14);
+    let series = || {
+        body.integrate(&start)
+            .method(TaylorSeries { tolerance: 1e-14 })
+    };
     let steps = || series().method(Projected(DormandPrince { tolerance: 1e-14 }));
     for time in [0.9, 4.0, -2.0] {
         let held = [
@@ -155,7 +164,10 @@ fn in_axes_that_do_not_spin() {
         hand_rate: [0.4, -0.3, 0.1].into(),
         hand_acceleration: [-0.3, 0.2, 0.1].into(),
     };
-    let series = top.integrate(&start).input(input).tolerance(1e-14);
+    let series = top
+        .integrate(&start)
+        .input(input)
+        .method(TaylorSeries { tolerance: 1e-14 });
     let series = series.to(3.0).unwrap();
     let steps = top.integrate(&start).input(input);
     let steps = steps.method(DormandPrince { tolerance: 1e-14 });
@@ -216,7 +228,12 @@ fn driven_joints_of_a_system() {
         wind: 3.0,
     };
     for time in [0.6, 3.0, -2.0] {
-        let motion = || crane.integrate(&start).input(input).tolerance(1e-14);
+        let motion = || {
+            crane
+                .integrate(&start)
+                .input(input)
+                .method(TaylorSeries { tolerance: 1e-14 })
+        };
         let series = motion().to(time).unwrap().rope;
         let steps = motion().method(DormandPrince { tolerance: 1e-14 });
         let steps = steps.to(time).unwrap().rope;

@@ -69,14 +69,14 @@ fn at(position: [f64; 3], velocity: [f64; 3]) -> Translation {
 /// Series beside DOP853 at its tightest in both directions, as far off as `allowed` tolerances, or `floor`, which is what that is off.
 fn check<B>(start: &Translation, end: f64, [allowed, floor]: [f64; 2])
 where
-    B: Taylor<State = Translation> + Integrate<Best = TaylorSeries> + Default,
+    B: Taylor<State = Translation> + Integrate + Default,
     B::Input: Default,
 {
     let body = B::default();
     let motion = |from: f64, to: f64, state: &Translation, tolerance: Option<f64>| {
         let motion = body.integrate(state).starting_at(from);
         match tolerance {
-            Some(tolerance) => motion.tolerance(tolerance).to(to),
+            Some(tolerance) => motion.method(TaylorSeries { tolerance }).to(to),
             None => motion.method(DormandPrince { tolerance: 1e-14 }).to(to),
         }
         .unwrap()
@@ -106,7 +106,7 @@ const TOLERANCES: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
 /// Forwards and backwards, against x and its rate as functions of time.
 fn check_form<B>(times: [f64; 2], form: fn(f64) -> [f64; 2], allowed: f64)
 where
-    B: Taylor<State = Translation> + Integrate<Best = TaylorSeries> + Default,
+    B: Taylor<State = Translation> + Integrate + Default,
     B::Input: Default,
 {
     let state = |time: f64| {
@@ -117,7 +117,7 @@ where
         for [from, to] in [times, [times[1], times[0]]] {
             let body = B::default();
             let motion = body.integrate(&state(from)).starting_at(from);
-            let end = motion.tolerance(tolerance).to(to).unwrap();
+            let end = motion.method(TaylorSeries { tolerance }).to(to).unwrap();
             let ([x, v], [begin, fast]) = (form(to), form(from));
             let off = (end.position.x - x).abs().max((end.velocity.x - v).abs());
             let size = [x, v, begin, fast]
@@ -207,7 +207,11 @@ fn singular_points() {
         };
         for (tolerance, end) in TOLERANCES.into_iter().flat_map(|t| [(t, 10.0), (t, -10.0)]) {
             let body = RootSpring::default();
-            let motion = body.integrate(&start).tolerance(tolerance).to(end).unwrap();
+            let motion = body
+                .integrate(&start)
+                .method(TaylorSeries { tolerance })
+                .to(end)
+                .unwrap();
             let off = (energy(&motion) - energy(&start)).abs();
             assert!(off < 50.0 * tolerance, "{end} at {tolerance:e}: {off:e}");
         }
@@ -233,13 +237,13 @@ fn thrown(drag: f64, up: f64, time: f64) -> [f64; 2] {
 
 fn check_thrown<B>(drag: f64, up: f64, end: f64)
 where
-    B: Taylor<State = Translation> + Integrate<Best = TaylorSeries> + Default,
+    B: Taylor<State = Translation> + Integrate + Default,
     B::Input: Default,
 {
     let body = B::default();
     let start = at(REST, [0.0, 0.0, up]);
     for tolerance in TOLERANCES {
-        let motion = || body.integrate(&start).tolerance(tolerance);
+        let motion = || body.integrate(&start).method(TaylorSeries { tolerance });
         let size = up.abs().max(thrown(drag, up, end)[0].abs()).max(1.0);
         let mut samples = 0;
         for sample in motion().samples(end, end / 100.0) {
@@ -304,7 +308,11 @@ fn from_rest_in_axes_that_do_not_spin() {
     };
     let far = body.integrate(&spins).method(method).to(3.0).unwrap();
     for tolerance in TOLERANCES {
-        let end = body.integrate(&spins).tolerance(tolerance).to(3.0).unwrap();
+        let end = body
+            .integrate(&spins)
+            .method(TaylorSeries { tolerance })
+            .to(3.0)
+            .unwrap();
         let off = (end.position.z - height)
             .abs()
             .max((end.velocity.z - speed).abs());
@@ -385,15 +393,15 @@ fn at_rest_where_there_is_no_series() {
             let ends = [
                 Idle::default()
                     .integrate(&idle)
-                    .tolerance(tolerance)
+                    .method(TaylorSeries { tolerance })
                     .to(end),
                 IdlePower::default()
                     .integrate(&idle)
-                    .tolerance(tolerance)
+                    .method(TaylorSeries { tolerance })
                     .to(end),
                 IdleRoot::default()
                     .integrate(&idle)
-                    .tolerance(tolerance)
+                    .method(TaylorSeries { tolerance })
                     .to(end),
             ];
             for found in ends {
@@ -437,7 +445,10 @@ fn norms_that_stay_zero() {
             thrown(-3.0, 0.5),
         ] {
             for tolerance in [1e-6, 1e-9, 1e-12] {
-                let series = body.integrate(&start).tolerance(tolerance).to(9.0);
+                let series = body
+                    .integrate(&start)
+                    .method(TaylorSeries { tolerance })
+                    .to(9.0);
                 let series = series.expect("an end");
                 let other = body
                     .integrate(&start)

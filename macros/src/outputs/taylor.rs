@@ -19,11 +19,6 @@ const OFFER: Offer = Offer {
     ..Offer::new("taylor")
 };
 
-/// Runge–Kutta steps are faster for a system with more products of series than this. At 1e-9,
-/// series take 0.8 of the time for a double pendulum (15 products), 0.75 for a satellite with three
-/// wheels (56), 1.5 for an arm of six axes (256).
-const WIDEST: usize = 128;
-
 #[derive(Default)]
 pub struct Taylor(Option<mechanics::Taylor>);
 
@@ -50,10 +45,10 @@ impl<S: Subject> Output<S> for Taylor {
     }
 
     fn emit(&self, site: &Site<'_>) -> Addition {
-        let (site, mut width) = (site.double(), 0);
+        let (site, mut width, mut is_slow) = (site.double(), 0, false);
         let expand = site.method(self.0.as_ref(), |writer, taylor| {
             let expansion = Expansion::write(writer, taylor);
-            width = expansion.width;
+            (width, is_slow) = (expansion.width, expansion.is_slow);
             expansion.method
         });
         let axes = self.0.as_ref().and_then(|taylor| taylor.axes.as_ref());
@@ -67,7 +62,6 @@ impl<S: Subject> Output<S> for Taylor {
         let [time, input] =
             [Source::Time, Source::Input].map(|one| site.arguments(&expand, &[one]));
         let [state, series, products] = ["state", "series", "products"].map(local);
-        let is_wide = site.outline.is_system && width > WIDEST;
         let (state_type, width) = (site.shapes.state_type(), Literal::usize_unsuffixed(width));
         let (lints, body) = (expand.lints(), &expand.body);
         let types = quote! {
@@ -82,15 +76,15 @@ impl<S: Subject> Output<S> for Taylor {
                 #body
             }
         };
-        let remark = " Its series have many products: `integrate` takes Runge–Kutta steps, which are faster; \
+        let remark = " `integrate` takes Runge–Kutta steps, which are faster than its series; \
                       `.method(TaylorSeries { tolerance })` selects series.";
         Addition {
-            best: if is_wide {
+            best: if is_slow {
                 Best::RungeKutta
             } else {
                 Best::Series
             },
-            remarks: is_wide.then_some(remark).into_iter().collect(),
+            remarks: is_slow.then_some(remark).into_iter().collect(),
             ..Addition::implement(&site, "Taylor", [types, methods], &[])
         }
     }

@@ -26,6 +26,7 @@ use crate::mechanics::{Axes, Taylor};
 use crate::symbolic::{Graph, Id, Node, Program, Recurrences, Stage, Term};
 
 use super::batch::{Batch, batches, filled};
+use super::choice::Counts;
 use super::names::{name_coefficients, name_results, name_sums};
 
 /// Names in the method beyond those of all functions.
@@ -36,6 +37,8 @@ pub struct Expansion {
     pub method: Method,
     /// The number of products of series, including those that pad registers.
     pub width: usize,
+    /// Whether Runge–Kutta steps take less time.
+    pub is_slow: bool,
 }
 
 impl Expansion {
@@ -72,7 +75,20 @@ impl Expansion {
                 ..Facts::default()
             },
         };
-        Self { method, width }
+        let counts = Counts {
+            width,
+            levels: batches.last().map_or(0, |batch| batch.level),
+            coordinates: recurrences.rates.len(),
+            each_order: graph.late_cost(&of_each_order(recurrences)),
+            rates: graph.late_cost(&recurrences.start),
+        };
+        // in axes that do not spin, steps along series are much longer
+        let is_slow = taylor.axes.is_none() && counts.are_slow();
+        Self {
+            method,
+            width,
+            is_slow,
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The recurrences of Taylor series as code: a loop over the orders, its sums in registers.
 
 mod batch;
+mod choice;
 mod expansion;
 mod names;
 

@@ -1,0 +1,53 @@
+//! Series or Runge–Kutta steps: whichever takes less time, by counted operations.
+
+use crate::symbolic::Cost;
+
+/// The coefficients of a series at the default tolerance, and the stages of the pair there.
+const COEFFICIENTS: f64 = 17.0;
+const STAGES: f64 = 16.0;
+/// The operations of a stage beside the equations.
+const STAGE: f64 = 28.0;
+/// A sine or another such function takes as long as this many operations.
+const FUNCTION: f64 = 20.0;
+/// A level of convolutions waits for the one before it; the convolution of a root is computed
+/// apart.
+const LEVEL: f64 = 20.0;
+const ROOT: f64 = 40.0;
+
+/// What a step along a series computes.
+pub struct Counts {
+    /// Convolutions, including those that pad registers.
+    pub width: usize,
+    /// Levels of convolutions beyond the first.
+    pub levels: usize,
+    pub coordinates: usize,
+    /// The operations of each order besides convolutions.
+    pub each_order: Cost,
+    /// The rates of the coordinates.
+    pub rates: Cost,
+}
+
+impl Counts {
+    /// Whether a step along a series takes more than 1.4 times as long as one of Verner's pair. At
+    /// 1e-9 both steps are of equal length where a singularity near the real times limits them, and
+    /// the step along the series is more than twice as long where none does.
+    ///
+    /// The weights are fitted to times of steps of 17 bodies and systems (`docs/performance.md`).
+    pub fn are_slow(&self) -> bool {
+        let count = |number: usize| u32::try_from(number).map_or(f64::INFINITY, f64::from);
+        // registers hold four numbers, and a sum has half the coefficients on the average
+        let convolutions = count(self.width) * COEFFICIENTS / 8.0;
+        let coefficient = convolutions
+            + 2.0 * count(self.coordinates)
+            + LEVEL * count(self.levels)
+            + weight(self.each_order) / 2.0
+            + ROOT * f64::from(self.rates.sqrt);
+        let series = COEFFICIENTS * coefficient;
+        let pair = STAGES * (weight(self.rates) + STAGE);
+        series > 1.4 * pair
+    }
+}
+
+fn weight(cost: Cost) -> f64 {
+    f64::from(cost.total()) + (FUNCTION - 1.0) * f64::from(cost.trig)
+}

@@ -304,7 +304,6 @@ where
     ///
     /// If the function is NaN, the motion ends with
     /// [`IntegrationError::EventNotANumber`].
-    /// [`IntegrationError::EventNotANumber`].
     pub fn events<F: Fn(f64, &B::State) -> f64>(
         self,
         end: f64,

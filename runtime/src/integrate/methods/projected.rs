@@ -258,7 +258,6 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
 /// [`Inconsistent`] if a state is too far from its constraints: the first by more than rounding,
 /// a later one after a step that is too long, or a NaN state after a configuration in
 /// which the constraints do not determine their reactions.
-/// which the constraints do not determine their reactions.
 pub fn cf4_projected<B: Constrained<Scalar = f64>>(
     body: &B,
     state: &B::State,

@@ -25,7 +25,6 @@
 //!
 //! Increments are summed with compensation, so over long runs rounding grows with the
 //! square root of the number of steps instead of the number.
-//! square root of the number of steps and not with the number.
 
 use core::fmt;
 

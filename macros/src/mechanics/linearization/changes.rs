@@ -13,6 +13,10 @@ pub enum Column {
     Param(usize),
 }
 
+/// Derivatives with more operations than this are not tried backwards: that takes long, and of 47
+/// linearizations it was better in none so large.
+const LARGE: u32 = 2000;
+
 /// Each group of columns, with a direction for each of its components.
 pub type Directions = Vec<(Column, Vec<Direction>)>;
 
@@ -44,12 +48,6 @@ pub fn changes(
     directions: &Directions,
     mut finish: impl FnMut(&mut Workspace, Vec<Id>) -> Vec<Id>,
 ) -> Changes {
-    let slopes = roots.iter().map(|root| {
-        let (leaves, level) = Leaves::with_level_norms(work, &[*root]);
-        Slopes::of_leaves(work, level[0], leaves)
-    });
-    let slopes: Vec<Slopes> = slopes.collect();
-    let (leaves, roots) = Leaves::with_level_norms(work, roots);
     let mut all = |work: &mut Workspace, along: &dyn Fn(&mut Workspace, &Direction) -> Vec<Id>| {
         let groups = directions.iter().map(|(column, directions)| {
             let changes = directions.iter().map(|direction| {
@@ -58,18 +56,27 @@ pub fn changes(
             });
             (*column, changes.collect())
         });
-        groups.collect::<Changes>()
+        let changes = groups.collect::<Changes>();
+        multiplied_out(work, accelerations, changes)
     };
+    let (leaves, level) = Leaves::with_level_norms(work, roots);
+    let forwards = all(work, &|work, direction| {
+        variation::changes(work, &level, &leaves, direction)
+    });
+    let least = cost(work, accelerations, &forwards);
+    if least > LARGE {
+        return forwards;
+    }
+    let slopes = roots.iter().map(|root| {
+        let (leaves, level) = Leaves::with_level_norms(work, &[*root]);
+        Slopes::of_leaves(work, level[0], leaves)
+    });
+    let slopes: Vec<Slopes> = slopes.collect();
     let backwards = all(work, &|work, direction| {
         let slopes = slopes.iter();
         slopes.map(|slopes| slopes.along(work, direction)).collect()
     });
-    let forwards = all(work, &|work, direction| {
-        variation::changes(work, &roots, &leaves, direction)
-    });
-    let [backwards, forwards] =
-        [backwards, forwards].map(|changes| multiplied_out(work, accelerations, changes));
-    if cost(work, accelerations, &forwards) < cost(work, accelerations, &backwards) {
+    if least < cost(work, accelerations, &backwards) {
         forwards
     } else {
         backwards

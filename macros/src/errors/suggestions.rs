@@ -117,6 +117,14 @@ const KEYS: &Elsewhere = &[
     ("name", "doc"),
 ];
 
+/// Keys of systems alone.
+const KEYS_OF_SYSTEMS: &Elsewhere = &[
+    ("links", "bodies"),
+    ("rigid_bodies", "bodies"),
+    ("actuators", "drives"),
+    ("motors", "drives"),
+];
+
 fn meant(word: &str, elsewhere: &Elsewhere) -> Option<&'static str> {
     let mut all = elsewhere.iter();
     all.find_map(|(there, here)| (*there == word).then_some(*here))
@@ -140,6 +148,11 @@ pub fn name_meant(word: &str) -> Option<&'static str> {
 /// The key that a word means elsewhere.
 pub fn foreign_key_meant(word: &str) -> Option<&'static str> {
     meant(word, KEYS)
+}
+
+/// The list of a system that a word means elsewhere.
+pub fn foreign_list_meant(word: &str) -> Option<&'static str> {
+    meant(word, KEYS_OF_SYSTEMS)
 }
 
 /// `; did you mean ...?`, or nothing.

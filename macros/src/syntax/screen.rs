@@ -9,7 +9,7 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Spacing, Span, TokenStream, 
 use crate::errors::{Errors, Extent};
 
 use super::bare_unit::{BareUnit, lacks_brackets};
-use super::tokens::{group_beyond, is_punct, start, token_beyond};
+use super::tokens::{argument_name, group_beyond, is_punct, start, token_beyond};
 use super::unit::UnitExpression;
 use super::words::is_keyword;
 
@@ -109,7 +109,10 @@ impl Screen<'_> {
                     shown.push(token.clone());
                 }),
                 TokenTree::Punct(_) => {
-                    let read = self.sign(&tokens[index..]);
+                    let read = match argument_name(&tokens, index, function) {
+                        Some(name) => self.named_argument(name, token),
+                        None => self.sign(&tokens[index..]),
+                    };
                     shown.extend(tokens[index..index + read.unwrap_or(0)].iter().cloned());
                     read
                 }
@@ -130,6 +133,12 @@ impl Screen<'_> {
         self.errors.push(place, message);
         self.refused = true;
         None
+    }
+
+    fn named_argument<T>(&mut self, name: &Ident, sign: &TokenTree) -> Option<T> {
+        let place = Extent::from(name.span()).to(sign.span().into());
+        let message = format!("arguments have no names: leave `{name} =` out");
+        self.refuse(place, &message)
     }
 
     /// One token, unless it is a number that takes long to read.

@@ -90,6 +90,21 @@ pub fn after_sign(tokens: &[TokenTree], sign: char) -> Option<(&Punct, &[TokenTr
     (first.as_char() == sign && !doubled).then_some((first, value))
 }
 
+/// The name in `name = value` among the arguments of `function`, if its sign is at `index`.
+pub fn argument_name<'t>(
+    tokens: &'t [TokenTree],
+    index: usize,
+    function: Option<&Ident>,
+) -> Option<&'t Ident> {
+    function.filter(|word| !is_keyword(&word.to_string()))?;
+    after_sign(&tokens[index..], '=')?;
+    match &tokens[..index] {
+        [TokenTree::Ident(name)] => Some(name),
+        [.., comma, TokenTree::Ident(name)] if is_punct(comma, ',') => Some(name),
+        _ => None,
+    }
+}
+
 /// The single group in brackets that `tokens` consist of.
 pub fn bracketed(tokens: &[TokenTree]) -> Option<&Group> {
     match tokens {

@@ -10,7 +10,7 @@ use crate::model::Joint;
 use crate::syntax::Description;
 
 /// Reports names that are defined twice, or that are built in. Loads have a separate namespace.
-/// Returns the ambiguous names.
+/// Returns these names.
 pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<String> {
     let mut repeated = HashSet::new();
     let mut seen = HashMap::new();
@@ -23,6 +23,7 @@ pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<St
                 name.span(),
                 format!("`{word}` is built in: choose another name for this {what}"),
             );
+            repeated.insert(word);
             return;
         }
         let message = match seen.get(&word) {

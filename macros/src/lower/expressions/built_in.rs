@@ -12,6 +12,10 @@ use super::lowering::Lowering;
 use super::scope::Value;
 use super::scope::{BUILT_IN, FOLLOWED};
 
+/// The error of `ground` as a point.
+pub const POINT_OF_GROUND: &str =
+    "a point of the ground is written by its coordinates: `world(..)`";
+
 impl Lowering<'_> {
     pub fn name(&mut self, name: &Ident) -> Option<Value> {
         let word = name.to_string();
@@ -90,9 +94,7 @@ impl Lowering<'_> {
             keyword if keyword.starts_with("r#") => {
                 format!("`{}` is a keyword of Rust, and no name here", &keyword[2..])
             }
-            "ground" if !self.members.bodies.is_empty() => {
-                "a point of the ground is written by its coordinates: `world(..)`".to_owned()
-            }
+            "ground" if !self.members.bodies.is_empty() => POINT_OF_GROUND.to_owned(),
             "body" | "world" => {
                 format!("`{word}` makes a vector: write `{word}(..)` with components")
             }

@@ -8,6 +8,7 @@ use crate::model::{Dimension, Frame, is_solid};
 use crate::symbolic::{Function, Id, Number};
 use crate::syntax::{Expression, Kind, Prefix};
 
+use super::built_in::POINT_OF_GROUND;
 use super::lowering::Lowering;
 use super::scope::Value;
 use super::unit::TOO_LARGE;
@@ -76,6 +77,9 @@ impl Lowering<'_> {
     fn unknown_function(&mut self, function: &Ident, arguments: &[Expression]) -> Option<Value> {
         self.visit(arguments);
         let word = function.to_string();
+        if word == "ground" && self.members.is_system() {
+            return self.report(function.span(), POINT_OF_GROUND);
+        }
         let functions = self.work.functions.iter();
         let own: Vec<String> = functions.map(|one| one.name.to_string()).collect();
         let known = own

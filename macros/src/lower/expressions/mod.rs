@@ -22,6 +22,6 @@ pub use scope::{
 };
 pub use unit::{lower_unit, written_unit};
 pub use written::{
-    base, direction, has_placeholder, is_drive, is_of_solid, is_turning_drive, is_unknown, motion,
-    placeholders, strip_unit, written_frame, written_motion,
+    base, difference, direction, has_placeholder, is_drive, is_of_solid, is_turning_drive,
+    is_unknown, motion, placeholders, strip_unit, written_frame, written_motion,
 };

@@ -112,3 +112,34 @@ pub fn base(expression: &Expression) -> &Expression {
 pub fn is_of_solid(written: &Expression) -> bool {
     matches!(&base(written).kind, Kind::Call(word, _) if is_solid(word))
 }
+
+/// `a - b` for `a == b`; long sides are left out.
+pub fn difference(expression: &Expression) -> Option<String> {
+    let Kind::Chain(left, rest) = &expression.kind else {
+        return None;
+    };
+    let [step] = rest.as_slice() else {
+        return None;
+    };
+    if step.operator != Operator::Equal {
+        return None;
+    }
+    Some(match (short(left), short(&step.operand)) {
+        (Some(left), Some(right)) if right == "0" => left,
+        (Some(left), Some(right)) => format!("{left} - {right}"),
+        _ => "left - right".to_owned(),
+    })
+}
+
+/// A name, a number or a part of one, as written.
+fn short(expression: &Expression) -> Option<String> {
+    match &expression.kind {
+        Kind::Number(digits) => Some(digits.clone()),
+        Kind::Name(name) => Some(name.to_string()),
+        Kind::Field(receiver, word) => Some(format!("{}.{word}", short(receiver)?)),
+        Kind::Method(receiver, word, arguments) if arguments.is_empty() => {
+            Some(format!("{}.{word}()", short(receiver)?))
+        }
+        _ => None,
+    }
+}

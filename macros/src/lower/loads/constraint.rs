@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashSet};
 
 use proc_macro2::Ident;
 
-use crate::lower::expressions::{Lowering, Value};
+use crate::lower::expressions::{Lowering, Value, difference};
 use crate::lower::loads::link::is_link;
 use crate::model::{AXES, Constraint, Declared, Dimension, Frame, Level, Meaning, Variable};
 use crate::symbolic::Id;
@@ -117,13 +117,17 @@ impl Lowering<'_> {
                 let components = self.work.components(vector, Frame::WORLD);
                 Some(self.named_components(name, components))
             }
-            other => self.report(
-                expression.extent,
-                format!(
-                    "a constraint is a scalar or a vector that is kept at zero, and this is {}",
-                    other.kind()
-                ),
-            ),
+            other => {
+                let advice = difference(expression)
+                    .map_or_else(String::new, |form| format!(": write `{form}`"));
+                self.report(
+                    expression.extent,
+                    format!(
+                        "a constraint is a scalar or a vector that is kept at zero, and this is {}{advice}",
+                        other.kind()
+                    ),
+                )
+            }
         }?;
         let values: Vec<Id> = scalars.iter().map(|(_, value)| *value).collect();
         self.check_no_acceleration(expression, &values, "a constraint")?;

@@ -13,8 +13,21 @@ impl System {
         let loads = self.drives.iter().chain(&self.forces).chain(&self.moments);
         let joints = self.joints.iter().chain(&self.cables);
         let top = self.top.constraints.iter().chain(&self.top.locals);
+        let top = top.chain(&self.top.potentials).chain(&self.top.rates);
         let definitions = joints.chain(loads).chain(top);
-        definitions.filter_map(|definition| definition.value.as_ref())
+        let values = definitions.filter_map(|definition| definition.value.as_ref());
+        values.chain(&self.points)
+    }
+
+    /// Reports a system without bodies, whose names are unknown then.
+    pub fn check_bodies(&mut self, errors: &mut Errors) {
+        if !self.bodies.is_empty() || self.has_lost_bodies {
+            return;
+        }
+        let name = &self.top.name;
+        let message = format!("`{name}` has no bodies: write `bodies: [arm {{ .. }}]`");
+        errors.push(name.span(), message);
+        self.has_lost_bodies = true;
     }
 
     /// If something that names bodies or joints could not be read, any unknown name may be one.
@@ -82,6 +95,6 @@ impl System {
             motion.word.span(),
             format!("a system moves in the plane, `motion: planar`, or in space: then leave `motion` out{hint}"),
         );
-        written != "spatial" && (!hint.is_empty() || self.looks_planar())
+        !hint.is_empty() || self.looks_planar()
     }
 }

@@ -11,7 +11,7 @@ pub use drawing::Center;
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
-use crate::errors::{Errors, similar};
+use crate::errors::{Errors, foreign_list_meant, similar};
 
 pub use file::{File, file_beside};
 
@@ -126,6 +126,7 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
         system.parse_key(without_attributes(&entry, errors), errors);
     }
     system.read_file(errors);
+    system.check_bodies(errors);
     system.is_planar = system.check_motion(errors);
     system.take_centers(errors);
     system.take_frames();
@@ -169,15 +170,15 @@ impl System {
             let is_given = self.top.keys.iter().any(|other| {
                 list_meant(&other.to_string()).is_some_and(|(other, _)| other == list)
             });
-            if is_given {
+            if word != *list {
+                report_unknown(key, Some(list), errors);
+            } else if is_given {
                 let message =
                     format!("`{word}` is given twice: put everything into one `{word}: [..]`");
                 errors.push(key.span(), message);
-            } else {
-                self.top.keys.push(key.clone());
             }
-            if word != *list {
-                report_unknown(key, Some(list), errors);
+            if !is_given {
+                self.top.keys.push(key.clone());
             }
             self.parse_list(list, example, key, rest, errors);
         } else if word == "drawing" {
@@ -258,12 +259,12 @@ fn is_called(joint: &Definition, kind: &str) -> bool {
     called.is_some_and(|((word, _), _)| word == kind)
 }
 
-/// The list of a system for a key, perhaps misspelt.
+/// The list of a system for a key, perhaps misspelt or called as elsewhere.
 fn list_meant(word: &str) -> Option<&'static (&'static str, &'static str)> {
     let exact = LISTS.iter().find(|(list, _)| *list == word);
     let of_body = key_meant(word).is_some_and(|meant| meant == word);
     let lists = LISTS.iter().map(|(list, _)| *list);
-    let meant = || similar(word, lists).filter(|_| !of_body);
+    let meant = || foreign_list_meant(word).or_else(|| similar(word, lists).filter(|_| !of_body));
     exact.or_else(|| {
         let meant = meant()?;
         LISTS.iter().find(|(list, _)| *list == meant)

@@ -203,6 +203,19 @@ impl Reader<'_> {
             ("at", false) => {
                 "`.at(..)` places a joint in a drawing: write `drawing: zero_pose`, or points of bodies"
             }
+            ("damping" | "damper" | "friction" | "spring" | "stiffness", _) => {
+                return format!(
+                    "a joint has no `{word}`: write a drive, such as `damper = (-c * elbow.angular_velocity).on(elbow)` \
+                     in `drives`, or the energy of a spring, such as `spring = 0.5 * k * elbow.angle.powi(2)` in \
+                     `potentials`"
+                );
+            }
+            ("limits" | "limit" | "range", _) => {
+                return format!(
+                    "a joint has no `{word}`: find where it ends by `.events(..)` of an integration, or write a stiff \
+                     spring beyond it in `potentials`"
+                );
+            }
             ("locked", _) => {
                 return format!(
                     "`.{word}(..)` of a joint is part of the language, but this version does not have it yet"

@@ -68,8 +68,8 @@ impl Reader<'_> {
             errors.push(word.span(), message);
             return None;
         }
+        let names: Vec<&str> = all.iter().map(|(name, ..)| *name).collect();
         if functions.len() != all.len() {
-            let names: Vec<&str> = all.iter().map(|(name, ..)| *name).collect();
             errors.push(
                 word.span(),
                 format!(
@@ -80,12 +80,17 @@ impl Reader<'_> {
             return None;
         }
         let mut list = Some(Vec::new());
-        for (function, (_, variables, part)) in functions.iter().zip(all) {
+        let form = format!("`.driven({})`", names.join(", "));
+        for (function, (name, variables, part)) in functions.iter().zip(all) {
             let dimension = match variables[0] {
                 Variable::Position => Dimension::LENGTH,
                 _ => Dimension::NONE,
             };
-            let motion = self.prescribed(function, dimension, errors);
+            let what = match names.len() {
+                1 => "the coordinate of a driven joint".to_owned(),
+                _ => format!("`{name}` in {form}"),
+            };
+            let motion = self.prescribed(function, (dimension, &what), errors);
             match (motion, &mut list) {
                 (Some(motion), Some(list)) => {
                     let both = variables.into_iter().zip(motion);
@@ -101,12 +106,10 @@ impl Reader<'_> {
     fn prescribed(
         &mut self,
         written: &Expression,
-        dimension: Dimension,
+        (dimension, what): (Dimension, &str),
         errors: &mut Errors,
     ) -> Option<[Id; 3]> {
-        let value = self.at_top(errors, |lowering| {
-            lowering.scalar(written, dimension, "the coordinate of a driven joint")
-        })?;
+        let value = self.at_top(errors, |lowering| lowering.scalar(written, dimension, what))?;
         let rate = self.rate(value, (value, written), errors)?;
         let acceleration = self.rate(rate, (value, written), errors)?;
         Some([value, rate, acceleration])

@@ -5,8 +5,8 @@ use core::ops::Deref;
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, hint, hint_of_joint};
-use crate::lower::expressions::{JointNames, Value, strip_unit};
-use crate::model::{Connection, Dimension, Frame, Holds, JointKind, Rates, Variable};
+use crate::lower::expressions::{JointNames, Value, strip_unit, written_frame};
+use crate::model::{Connection, Dimension, Frame, FrameWord, Holds, JointKind, Rates, Variable};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{CABLE, Called, Definition, Expression, Kind, LINK, call};
 
@@ -46,6 +46,10 @@ impl ReadJoint {
 /// The error of what is no point.
 const EXPECTED: &str =
     "expected a point of a body, such as `arm.tip`, or of the ground, `world(..)`";
+
+/// The error of a vector in body axes without a body.
+const DIRECTION: &str = "here stands a point, such as `arm.tip` or `world(..)`, and this is a direction: \
+                         it comes after both points, as in `revolute(P, Q, direction)`";
 
 /// A point of a body, by its index, or of the ground, and its offset there.
 pub type End = (Option<usize>, Components);
@@ -281,6 +285,9 @@ impl Reader<'_> {
                 return errors.report(name.span(), message);
             }
             Kind::Tuple(_) => return errors.report(written.extent, EXPECTED),
+            _ if written_frame(written).is_some_and(|word| word == FrameWord::Body) => {
+                return errors.report(written.extent, DIRECTION);
+            }
             _ => {}
         }
         self.at_top(errors, |lowering| {

@@ -77,13 +77,6 @@ impl Reader<'_> {
                 },
             }
         }
-        if bodies.is_empty() && errors.is_empty() {
-            let name = &self.system.top.name;
-            errors.push(
-                name.span(),
-                format!("`{name}` has no bodies: write `bodies: [arm {{ .. }}]`"),
-            );
-        }
         (carried_by, closing)
     }
 }

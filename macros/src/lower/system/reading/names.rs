@@ -36,7 +36,7 @@ pub fn for_copy<T>(
     found
 }
 
-/// Reports ambiguous names of bodies and joints, and returns them.
+/// Reports ambiguous and built-in names of bodies and joints, and returns them.
 pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<String> {
     let mut repeated = HashSet::new();
     let mut seen: Vec<(&Ident, &str)> = Vec::new();
@@ -56,6 +56,7 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
         if BUILT_IN.contains(&name.to_string().as_str()) {
             let message = format!("`{name}` is built in: choose another name for this {what}");
             errors.push(name.span(), message);
+            repeated.insert(name.to_string());
         } else if let Some((_, first)) = seen.iter().find(|(other, _)| *other == name) {
             let message = format!(
                 "`{name}` is the name of a {first} already: params, inputs, states, locals, bodies and joints need different names"

@@ -48,8 +48,8 @@ const EXPECTED: &str =
     "expected a point of a body, such as `arm.tip`, or of the ground, `world(..)`";
 
 /// The error of a vector in body axes without a body.
-const DIRECTION: &str = "here stands a point, such as `arm.tip` or `world(..)`, and this is a direction: \
-                         it comes after both points, as in `revolute(P, Q, direction)`";
+const DIRECTION: &str =
+    "expected a point, such as `arm.tip` or `world(..)`, and this is a direction";
 
 /// A point of a body, by its index, or of the ground, and its offset there.
 pub type End = (Option<usize>, Components);

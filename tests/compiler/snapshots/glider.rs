@@ -18,6 +18,8 @@ mod equations_of_Glider {
     /// - (w x J w)_y: the other two moments of inertia are equal
     /// - two rows of the rotation: what turns is along z in world axes
     /// - energy, momentum, balance: not in `outputs`
+    ///
+    /// `integrate` takes Runge–Kutta steps, which are faster than its series; `.method(TaylorSeries { tolerance })` selects series.
     #[derive(Clone, Debug)]
     pub struct Glider {
         params: GliderParams,
@@ -132,7 +134,7 @@ mod equations_of_Glider {
         }
     }
     impl ::newton_euler::private::Integrate for Glider {
-        type Best = ::newton_euler::private::TaylorSeries;
+        type Best = ::newton_euler::private::RungeKuttaPair;
     }
     impl ::newton_euler::private::Taylor for Glider {
         type Products<A: ::newton_euler::private::Arithmetic, const COUNT: usize> = ::newton_euler::private::Products<

@@ -29,10 +29,11 @@ pub struct Counts {
 
 impl Counts {
     /// Whether a step along a series takes more than 1.4 times as long as one of Verner's pair. At
-    /// 1e-9 both steps are of equal length where a singularity near the real times limits them, and
-    /// the step along the series is more than twice as long where none does.
+    /// 1e-9 the steps of both cover about the same time in most nonlinear motions; in nearly linear
+    /// ones the step along the series covers more than twice as much.
     ///
     /// The weights are fitted to times of steps of 17 bodies and systems (`docs/performance.md`).
+    /// They choose between two methods with the same tolerance, so a bad choice costs time alone.
     pub fn are_slow(&self) -> bool {
         let count = |number: usize| u32::try_from(number).map_or(f64::INFINITY, f64::from);
         // registers hold four numbers, and a sum has half the coefficients on the average

@@ -13,8 +13,8 @@ pub enum Column {
     Param(usize),
 }
 
-/// Derivatives with more operations than this are not tried backwards: that takes long, and of 47
-/// linearizations it was better in none so large.
+/// If the derivatives forwards take more operations than this, backwards is not tried. It takes long
+/// for such systems, and it was better in none of those in the tests and examples.
 const LARGE: u32 = 2000;
 
 /// Each group of columns, with a direction for each of its components.

@@ -5,9 +5,9 @@
 //! saying whether they are entries of the tensor, `-∫xy dm`, or products of inertia, `+∫xy dm`.
 //! `rigid_body!` requires a choice; this program shows its effect.
 //!
-//! Axes of the body as published, world axes those of the body at the start; no load, and `motion:
-//! rotation`: the motion of G is not modelled. It starts with 5 deg/s about y, whose moment of
-//! inertia is the largest.
+//! Body axes are those of the publication; world axes coincide with them at the start. There is no
+//! load, and with `motion: rotation` the motion of G is not modelled. The module starts with 5
+//! deg/s about y, whose moment of inertia is the largest.
 //!
 //! Asserts: energy and angular momentum are conserved; the principal moments; the largest moment
 //! belongs to an axis ½ atan(2 · 1152.4 / (38372.4 - 36514.9)) = 25.6° from y, nearly in the y-z

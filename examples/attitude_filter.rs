@@ -3,15 +3,15 @@
 //! "Fundamentals of Spacecraft Attitude Determination and Control", chapter 6), using the crate
 //! `adskalman`.
 //!
-//! The estimate is a state of the satellite, and moves by its equations. Its error x = (e, dw, db)
-//! is the tangent vector of `linearize`: attitude exp(e), rate + dw, bias + db. So the filter's
-//! matrices follow from the description:
+//! The estimate is a state of the satellite, and follows its equations of motion. Its error x = (e,
+//! dw, db) is the tangent vector of `linearize`: attitude exp(e), rate + dw, bias + db. So the
+//! filter's matrices follow from the description:
 //!
 //! ```text
 //! x(t + h) = P x(t) + Q u        u: unknown torque and drift of the bias, held for a period
 //! ```
 //!
-//! The torques act while the truth moves, and the gyro's bias drifts; both are inputs of the same
+//! Torques disturb the true satellite, and the bias of its gyro drifts; both are inputs of the same
 //! description.
 //!
 //! Asserts: over fifty runs, x.C^-1 x with the covariance C of the filter is distributed as

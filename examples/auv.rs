@@ -9,11 +9,11 @@
 //! force -(p' + w x p)        moment -(l' + w x l + v x p)
 //! ```
 //!
-//! where v x p is the moment of M. Munk, which turns a slender hull broadside. Numbers: those of
+//! The term v x p is Munk's moment, which turns a slender hull broadside. Numbers: those of
 //! REMUS (T. Prestero, "Verification of a six-degree of freedom simulation model for the REMUS
 //! autonomous underwater vehicle", 2001), taken about G; neutrally buoyant, without fins.
 //!
-//! Asserts: the speed follows U tanh(t / T); the moment of Munk; without drag, energy and
+//! Asserts: the speed follows U tanh(t / T); Munk's moment; without drag, energy and
 //! momentum of body and water together are conserved.
 
 use newton_euler::nalgebra::{Matrix6, Vector3, Vector6};

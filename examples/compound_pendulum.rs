@@ -1,11 +1,11 @@
-//! A rod on a pin: its period, where it can be struck without the pin feeling it, and the force of
+//! A rod on a pin: its period, the point where a blow causes no force on the pin, and the force of
 //! the pin.
 //!
 //! Asserts, all in closed form for a uniform rod of length L on a pin at its end: released level,
-//! the pin carries a quarter of the weight, and five halves of it as the rod passes below; the
-//! period from the arithmetic-geometric mean; the same period from a pin at the center of
-//! oscillation, 2 L / 3 below (Kater's reversible pendulum); and no pin force along a blow on that
-//! point (center of percussion).
+//! the pin carries a quarter of the weight, and five halves of it as the rod passes its lowest
+//! position; the period from the arithmetic-geometric mean; the same period from a pin at the
+//! center of oscillation, 2 L / 3 below (Kater's reversible pendulum); and no pin force along a
+//! blow on that point (center of percussion).
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -1,7 +1,7 @@
 //! A crane: a trolley on a rail, a hoist that lets out a rope, and a load on a ball joint below.
 //!
-//! World z is up. The rope is a slide. It represents a rope as long as its force, which `reactions`
-//! gives, points upward. The load swings.
+//! World z is up. A slide stands for the rope. This is correct while the force of the slide, which
+//! `reactions` gives, points upward.
 //!
 //! Asserts: at rest the rope carries hook and load; the period of small swings is that of a
 //! compound pendulum; a trolley that stops at the right time leaves no swing.

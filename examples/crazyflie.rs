@@ -2,8 +2,8 @@
 //! cause yaw alone.
 //!
 //! Numbers: J. Förster, System identification of the Crazyflie 2.0 nano quadrocopter, bachelor's
-//! thesis, ETH Zürich, 2015; off-diagonals as published, entries of the tensor. Mass and rotor
-//! positions as commonly used with it.
+//! thesis, ETH Zürich, 2015; the published off-diagonals are entries of the tensor. Mass and rotor
+//! positions are those commonly used with it.
 //!
 //! Body axes: x forward, y left, z up, from G; world z is up. Rotors, seen from above: 1 front
 //! right, 2 back right, 3 back left, 4 front left. Spin convention: 1 and 3 turn anticlockwise,

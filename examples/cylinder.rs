@@ -1,11 +1,11 @@
 //! A cylinder on an incline, in both modes of contact: it starts sliding, and rolls once friction
 //! has spun it up.
 //!
-//! World x points down the slope, y away from it. Each mode is a description. In sticking, the
-//! contact has zero velocity and friction is a second unknown; in slipping, friction is a given
+//! World x points down the slope, y away from it. Each mode has its own description. In sticking,
+//! the contact has zero velocity and friction is a second unknown; in slipping, friction is a given
 //! multiple of the normal force. Both have the same state, so a program can change from one to the
 //! other. Sticking needs friction within the cone, |T| <= mu N, and contact needs a normal force
-//! that pushes, N > 0; both are in `reactions`.
+//! that pushes, N > 0; `reactions` gives both.
 //!
 //! Asserts: accelerations and the time of sliding against their closed forms; the constraints after
 //! 100 000 steps.

@@ -1,9 +1,9 @@
 //! An electric dipole on a thin rod in a uniform field: it swings about the field like a pendulum,
 //! and does not fall.
 //!
-//! Charges ±q are at the ends of the rod along body x, the field is along world x. Without a net
-//! charge there is no force; the couple p × E is the same about every point. World axes: z is up;
-//! there is no weight.
+//! Charges ±q are at the ends of the rod, which lies along body x; the field is along world x.
+//! Without a net charge there is no force; the couple p × E is the same about every point. World z
+//! is up; there is no weight.
 //!
 //! Asserts: the couple is p E sin θ; the period is 4 K(sin θ₀ / 2) √(J / p E), from elliptic
 //! integrals; energy is conserved; a second pair of charges that cancels the dipole leaves nothing.

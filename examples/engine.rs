@@ -1,6 +1,6 @@
 //! A slider-crank engine: the forces in its bearings over one turn.
 //!
-//! The crank turns at constant speed, by a joint that is `driven`; the guide of the piston closes
+//! A `driven` joint turns the crank at constant speed; the guide of the piston closes
 //! the loop of ground, crank, rod and piston. At each angle `project` closes the loop, and the
 //! balances give the forces of all bearings and the torque on the crank.
 //!

@@ -1,7 +1,7 @@
 //! A four-bar with a driven crank: torque and pin forces over a turn.
 //!
-//! The crank turns at constant speed, by a joint that is `driven`, and the rocker works against a
-//! moment. At each angle `project` closes the loop; the balances give the torque and the forces of
+//! A `driven` joint turns the crank at constant speed, and the rocker works against a moment. At
+//! each angle `project` closes the loop; the balances give the torque and the forces of
 //! all pins.
 //!
 //! Asserts: all of them agree with hand-derived kinetostatics. Angles come from the triangle of the

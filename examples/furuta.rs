@@ -1,5 +1,5 @@
 //! A Furuta pendulum: a motor turns an arm about the vertical, and a pole swings on the tip of the
-//! arm. The motor swings the pole up by its energy, and then balances it.
+//! arm. The motor pumps energy into the pole to swing it up, and then balances it.
 //!
 //! Body axes of the pole: z from its center of mass G to the pin, along the pole, at angle
 //! zero; the pole hangs at 0 and stands at π.

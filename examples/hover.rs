@@ -9,8 +9,8 @@
 //! The motor lag permits only p = 1 / (4 T).
 //!
 //! Asserts: a small tilt φ₀ decays as φ₀ exp(-p t) (1 + p t + (p t)² / 2 - (p t)³ / 2), which
-//! passes through zero once; a camera hung on the front arm is finally carried by the integrators,
-//! and the thrusts obey the lever.
+//! passes through zero once; in the end the integrators carry a camera hung on the front arm, and
+//! the thrusts balance its moment.
 
 use newton_euler::nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::prelude::*;

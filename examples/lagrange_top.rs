@@ -1,10 +1,10 @@
 //! Lagrange's top with its tip on the ground: steady precession, slow and fast, and the nutation of
 //! a released top.
 //!
-//! Asserts: both steady motions against their closed form, and the force on the tip, which is the
-//! weight plus `m l sin θ Ω²` towards the axis of precession. A released top nutates between its
-//! first angle and the other root of a cubic for cos θ; the period is an elliptic integral. Energy
-//! and the angular momenta about both axes are conserved.
+//! Asserts: both steady motions agree with their closed form, and so does the force on the tip,
+//! which is the weight plus `m l sin θ Ω²` towards the axis of precession. A released top nutates
+//! between its first angle and the other root of a cubic for cos θ; the period is an elliptic
+//! integral. Energy and the angular momenta about both axes are conserved.
 
 use newton_euler::nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::top::{HeavyTop, SymmetricTop};

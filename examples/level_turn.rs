@@ -5,8 +5,8 @@
 //! edition, appendix B and examples 4.3 and 5.3, quoted without the book at hand. The textbook's
 //! linear equations, set up from these coefficients in `tests/linearization/textbook.rs`, give the
 //! same short period, phugoid and roll to a thousandth, the Dutch roll to 0.6 % and the spiral
-//! to 7 %; the book rounds the derivatives in between. Aeronautical axes: body x to the nose, y to
-//! the right wing, z down; world z down.
+//! to 7 %; the book rounds intermediate derivatives. Axes are aeronautical: body x points to the
+//! nose, y to the right wing, z down; world z points down.
 //!
 //! Asserts: the modes of level flight agree with the published ones to a hundredth, their rounding,
 //! and the slow spiral to six hundredths; after a whole turn the aeroplane is back where it

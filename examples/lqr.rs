@@ -1,14 +1,14 @@
 //! A quadrotor held in place by a linear-quadratic regulator: the gains follow from the
 //! description.
 //!
-//! `linearize` gives x' = A x + B u about hover, `discretized` the step of a controller that runs
-//! 200 times a second, x' = P x + Q u. The gains K of u = -K x minimize the sum of x.W x + u.R u.
-//! They follow from the solution S of Riccati's equation, found by doubling: each round doubles the
-//! number of steps of the horizon (E. Chu, H. Fan, W. Lin, C. Wang, "Structure-preserving
-//! algorithms for periodic discrete-time algebraic Riccati equations", 2004).
+//! `linearize` gives x' = A x + B u about hover. `discretized` gives the step of a controller that
+//! runs 200 times a second, x(t + h) = P x(t) + Q u. The gains K of u = -K x minimize the sum of
+//! x.W x + u.R u. They follow from the solution S of Riccati's equation, found by doubling: each
+//! round doubles the number of steps of the horizon (E. Chu, H. Fan, W. Lin, C. Wang,
+//! "Structure-preserving algorithms for periodic discrete-time algebraic Riccati equations", 2004).
 //!
-//! Asserts: the residual of the equation; the sum along the motion of the full body, from a small
-//! tilt, agrees with the prediction of S; a tilt of 60 degrees settles.
+//! Asserts: the residual of the equation; from a small tilt, the sum along the motion of the full
+//! body agrees with the prediction of S; a tilt of 60 degrees settles.
 
 use newton_euler::nalgebra::{SMatrix, SVector, UnitQuaternion, Vector3};
 use newton_euler::prelude::*;

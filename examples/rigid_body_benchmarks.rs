@@ -2,9 +2,9 @@
 //! known end states.
 //!
 //! All of them are `y₁' = a y₂ y₃, y₂' = b y₃ y₁, y₃' = c y₁ y₂ + f(t)`. Few are Euler's equations
-//! as they stand: a + b + c + a b c would have to be zero, and no coefficient beyond 1. After a
-//! change of unit in each component they are, `yᵢ = sᵢ ωᵢ` for a body with a = (J₂ - J₃) / J₁ · s₁
-//! / (s₂ s₃) and so on:
+//! as they stand: a + b + c + a b c would have to be zero, and no coefficient larger than 1 in
+//! magnitude. After a change of unit in each component all of them are, `yᵢ = sᵢ ωᵢ` for a body
+//! with a = (J₂ - J₃) / J₁ · s₁ / (s₂ s₃) and so on:
 //!
 //! | problem | a, b, c | y(0) | J | s |
 //! |---|---|---|---|---|

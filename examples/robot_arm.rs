@@ -1,8 +1,8 @@
 //! A six-axis arm, the UR5 in its zero pose, with computed torque: inverse dynamics gives the motor
-//! torques of a wanted motion, and the arm follows it.
+//! torques of a desired motion, and the arm follows it.
 //!
-//! Links are in the axes of the published model of the robot; the joints two and four
-//! are rotated by a right angle there.
+//! Links are in the axes of the published model of the robot, in which joints two and four are
+//! rotated by a right angle.
 //!
 //! Asserts: accelerations to 20 digits in one state; inverse dynamics of the
 //! accelerations returns the torque that caused them; the arm follows a motion from point to point.

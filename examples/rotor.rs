@@ -7,7 +7,7 @@
 //! Asserts: at rest the bearings share the weight by their distances. In motion each carries, in
 //! addition to its share of the weight and rotating with the rotor, `m e ω²` by the distances and
 //! the couple `J_zx ω²` over the span: the amplitude over ω² is constant. The spin-up adds `m e α`
-//! across. A balanced rotor has none of this.
+//! perpendicular to that. A balanced rotor has none of this.
 
 use newton_euler::nalgebra::Vector3;
 use newton_euler::prelude::*;

@@ -4,8 +4,9 @@
 //! of Physics 17 (2015) 063001: 5 g, section 28 cm², drag coefficient 0.6, center of pressure about
 //! 3 cm behind G. The inertia is an estimate from a cork of 3 g and a skirt of 2 g, 5 cm apart.
 //!
-//! Body x from the skirt to the cork, from G; world z is up; the wind is the velocity of the air,
-//! world axes. The drag acts at one point, against its velocity through the air, at any attitude.
+//! Body x points from the skirt to the cork, with its origin in G; world z is up. The wind is the
+//! velocity of the air in world axes. The drag acts at one point, against its velocity through the
+//! air, at any attitude.
 //!
 //! Asserts: it ends cork down, moving with the wind and falling at √(2 m g / (ρ S C)); the energy
 //! lost is the work of the drag; the drag acts on the axis and has no moment about it, so the spin

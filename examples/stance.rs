@@ -1,9 +1,9 @@
 //! A walking quadruped on three feet: the torques of its joints and the ground forces.
 //!
 //! The feet stand on a ball, on a groove and on a plane, so the balances determine all forces: the
-//! left fore foot is held in all directions, the right hind foot across and upwards, the right fore
-//! foot upwards. Inverse dynamics gives the torques that keep it at rest. The same robot with these
-//! torques as inputs does not move, and its reactions are the ground forces.
+//! left fore foot is held in all directions, the right hind foot sideways and upwards, the right
+//! fore foot upwards. Inverse dynamics gives the torques that keep it at rest. The same robot with
+//! these torques as inputs does not move, and its reactions are the ground forces.
 //!
 //! Asserts: nothing accelerates; the ground forces carry the weight and nothing else; in
 //! motions that the feet allow, the work of the torques is the gain of potential energy.

@@ -1,9 +1,10 @@
 //! A T-handle that flips about its intermediate axis: the effect seen by V. A. Dzhanibekov in orbit
 //! in 1985.
 //!
-//! Two thin rods: the stem along x, about which it is spun, and the bar across its end along y.
-//! Axes from G; no load, `motion: rotation`. The handle is flat, so the moment about z is the sum
-//! of the other two; the one about the stem is the intermediate one.
+//! The handle consists of two thin rods: the stem along x, about which it is spun, and the bar
+//! across its end along y. The origin is G; there is no load, so `motion: rotation` suffices. It is
+//! flat, so the moment about z is the sum of the other two; the one about the stem is the
+//! intermediate one.
 //!
 //! Asserts: half-turns follow each other at half the period of Jacobi's elliptic functions, from
 //! Euler's solution with the arithmetic-geometric mean; the same formula gives the published

@@ -15,7 +15,7 @@
 //! Asserts: the rates against 40-digit arithmetic and against the publication, in which SIM 1 and
 //! SIM 4 agree to ten digits; height and angles from north, east and down against the publication.
 //! Its simulations interpret case 3 in two ways: in SIM 1, 2 and 4 the air damps the rates relative
-//! to the stars, in SIM 5 and 6 those relative to the rotating air, as here with `wind = 1`.
+//! to the stars, in SIM 5 and 6 those relative to the rotating air, as `wind = 1` does here.
 
 #![allow(clippy::unreadable_literal, reason = "as published")]
 

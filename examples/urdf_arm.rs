@@ -1,9 +1,9 @@
-//! An arm from a URDF file that holds a weight. The description adds the
-//! weight in its grip, gravity and motors to the file. The finger is locked.
+//! An arm from a URDF file holds a weight. The description adds the weight in the grip, gravity and
+//! the motors to the file, and locks the finger.
 //!
 //! Asserts: the torques that hold the arm, reaching out, are the moments of the weights about its
-//! joints; with them it stays at rest, as long as nothing disturbs it; the joint at the base
-//! carries the whole weight.
+//! joints; with these torques it stays at rest, as long as nothing disturbs it; the joint at the
+//! base carries the whole weight.
 
 use newton_euler::prelude::*;
 

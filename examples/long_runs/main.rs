@@ -2,10 +2,10 @@
 //! a satellite's week.
 //!
 //! Each method integrates each body from four starts in steps of equal length. Errors are recorded
-//! after 2, 4, 8, ... steps, and the law of their growth is fitted, error = a nᵖ. Rounding that is
-//! summed with compensation is a random walk, p = ½. The loss of a method in every step grows with
-//! their number, p = 1. An angle, which accumulates the error of the rate, has one power more. The
-//! program prints a table and writes it under `target/measures` as `long_runs.csv` and
+//! after 2, 4, 8, ... steps, and the law of their growth, error = a nᵖ after n steps, is fitted.
+//! Rounding that is summed with compensation is a random walk, p = ½. What a method loses in every
+//! step grows with n, p = 1. An angle, which accumulates the error of the rate, has one power more.
+//! The program prints a table and writes it under `target/measures` as `long_runs.csv` and
 //! `long_runs.svg`:
 //!
 //! ```sh

@@ -1,8 +1,8 @@
 //! Time against error: every method of this library and its alternatives, on the same problems.
 //!
-//! One core, medians of rounds in which all are timed in turn. The error is that of the end state,
-//! compared with more digits than a double has. The program prints a table and writes it under
-//! `target/measures` as `work_precision.csv` and `.svg`:
+//! Times are medians on one core, over rounds in which all methods are timed in turn. The error is
+//! that of the end state, compared with more digits than a double has. The program prints a table
+//! and writes it under `target/measures` as `work_precision.csv` and `.svg`:
 //!
 //! ```sh
 //! cargo run --release --example work_precision                  # a few seconds

@@ -1,4 +1,4 @@
-//! Members of one ensemble on the ranks of MPI: where stones come down that are thrown in drag.
+//! Members of one ensemble on MPI ranks: where thrown stones land, with air drag.
 //!
 //! Each rank takes a shard of the members, which are functions of their index, and moves it. The
 //! first rank gathers the statistics of all shards. They are exact, so the mean has the same bits

@@ -1,17 +1,17 @@
 //! A cart moves an upright pole to another place, under model-predictive control: the motor pushes
 //! 4 N at most.
 //!
-//! Twenty times a second the forces of the next second are recomputed, and the first one is
-//! applied. They minimize
+//! Twenty times a second, the controller recomputes the forces of the next second and applies the
+//! first one. The forces minimize
 //!
 //! ```text
 //! sum of x.W x + r u^2  +  x_N.S x_N,    x_(k+1) = P x_k + q u_k,    |u_k| <= 4 N
 //! ```
 //!
 //! P and q follow from the description by `linearize` and `discretized`. S is the cost of the
-//! motion from there on, by Riccati's equation. With the states written as sums of the forces this
-//! is a quadratic program in the forces alone, and the crate `clarabel` solves it. The simulated
-//! system is the full one, not its linearization.
+//! motion from there on, by Riccati's equation. If the states are written as sums of the forces,
+//! this is a quadratic program in the forces alone, and the crate `clarabel` solves it. The
+//! simulated system is the full one, not its linearization.
 //!
 //! Asserts: the bound holds, and is reached; each solution satisfies the Karush–Kuhn–Tucker
 //! conditions; where no bound is near, the force is that of the linear-quadratic regulator; the

@@ -1,4 +1,4 @@
-//! A body as a module of Python, built into a wheel by maturin:
+//! A body as a Python module, built into a wheel by maturin:
 //!
 //! ```sh
 //! pip install maturin

@@ -1,5 +1,5 @@
-//! A drone on a microcontroller with a unit for single precision: steps of its motion, as a filter
-//! predicts them.
+//! A drone on a microcontroller with a single-precision floating-point unit: steps of its motion,
+//! as a filter predicts them.
 #![no_std]
 
 use core::hint::black_box;

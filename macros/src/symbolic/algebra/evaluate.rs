@@ -14,7 +14,7 @@ impl Graph {
             values[id.index()] = match *self.node(id) {
                 Node::Number(ref number) => number.to_f64(),
                 Node::Truth(holds) => truth(holds),
-                // functions from outside are unknown here
+                // the values of foreign functions are unknown here
                 Node::Undefined | Node::Foreign(..) => f64::NAN,
                 Node::Symbol(_) => symbol(id),
                 Node::Quantity(a) => value(a),

@@ -16,8 +16,7 @@ impl Expression {
     pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Self> {
         let last = tokens.clone().into_iter().last()?.span();
         let Screened { tokens, units } = screen(tokens, errors)?;
-        // syn reports that a group ends too early at the span of the group: make that the last
-        // token
+        // syn reports missing tokens at the span of the group, so that becomes the last token
         let mut group = Group::new(Delimiter::Parenthesis, tokens);
         group.set_span(last);
         let parsed = complete.parse2(TokenTree::Group(group).into());

@@ -326,7 +326,7 @@ fn parse_load(
     load
 }
 
-/// The vector of `moment(vector)`, allowed where `kind` leaves it to the load what it is.
+/// The vector of `moment(vector)`, allowed under keys that leave the kind to each load.
 fn vector_of_moment(
     function: &Ident,
     mut arguments: Vec<Expression>,

@@ -59,7 +59,7 @@ pub fn turned(turns: &[Turn]) -> String {
     text
 }
 
-/// The same for an inertia, which is rotated in the reverse order of its axes.
+/// The same for an inertia: its rotations come in the reverse order of those of its axes.
 pub fn turned_inertia(turns: &[Turn]) -> String {
     let mut text = String::new();
     for Turn { axis, angle, .. } in turns.iter().rev() {

@@ -90,8 +90,8 @@ impl Start<'_> {
         self.turning("Hinge", "angle")
     }
 
-    /// `state`; or, if the center of mass moves too, `&Rotation { attitude: state.attitude,
-    /// angular_velocity: state.angular_velocity }`.
+    /// `state`; or, if the center of mass moves too,
+    /// `&Rotation { attitude: state.attitude, angular_velocity: state.angular_velocity }`.
     fn turning(&self, kind: &str, coordinate: &str) -> TokenStream {
         let (private, place) = (&self.shapes.private, &self.place);
         let (kind, coordinate) = (format_ident!("{kind}"), format_ident!("{coordinate}"));

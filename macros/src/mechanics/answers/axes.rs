@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Any sigma is correct. In axes without spin, `sigma = s`, the angular velocity of a free body
-//! rotates at `beta = s J_e / J_t`, where J_e and J_t are the moments along e and across it. In
+//! rotates at `beta = s J_e / J_t`, where `J_e` and `J_t` are the moments along e and across it. In
 //! axes with `sigma = s - beta`, it is constant, but the attitude rotates faster. Halfway between
 //! the two, steps are longest, or nearly so, for tops that are flat or slender, fast or slow:
 //!

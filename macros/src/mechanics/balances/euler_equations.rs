@@ -169,8 +169,9 @@ impl Balance<'_> {
         }
     }
 
-    /// An axis of symmetry n, with the moment B about it and A across it: `w' = J^-1 M + (A - B) /
-    /// A (n.w) w x n`. Whatever B is, the gyroscopic moment has no part along n.
+    /// An axis of symmetry n, with the moment B about it and A across it:
+    /// `w' = J^-1 M + (A - B) / A (n.w) w x n`. Whatever B is, the gyroscopic moment has no part
+    /// along n.
     fn about_symmetry(&mut self) -> Option<Written> {
         let mut labels = Labels::default();
         let graph = &mut *self.graph;

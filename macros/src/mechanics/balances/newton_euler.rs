@@ -104,8 +104,8 @@ fn linear_acceleration(
     acceleration
 }
 
-/// (1.4) about G, or about the held point, where the reaction of the support has no moment: `w' =
-/// J^-1 (M - w x J w)`.
+/// (1.4) about G, or about the held point, where the reaction of the support has no moment:
+/// `w' = J^-1 (M - w x J w)`.
 fn angular_acceleration(
     model: &Model,
     work: &mut Workspace,

@@ -4,10 +4,10 @@
 //! u'' = (K x u) / J - u'^2 u
 //! ```
 //!
-//! All vectors are in world axes, and K is perpendicular to u. If `K = u x B`, then `K x u = B - (u
-//! . B) u`. This is so for forces, with the first moment `B = sum of s F`, for potentials, and for
-//! most couples that can be written. These B are summed, and one projection is enough. It is not
-//! needed if B is already perpendicular to the axis, as for damping.
+//! All vectors are in world axes, and K is perpendicular to u. If `K = u x B`, then
+//! `K x u = B - (u . B) u`. This is so for forces, with the first moment `B = sum of s F`, for
+//! potentials, and for most couples that can be written. These B are summed, and one projection is
+//! enough. It is not needed if B is already perpendicular to the axis, as for damping.
 //!
 //! ```text
 //! u'' = B / J - (u . B / J + u'^2) u
@@ -97,8 +97,8 @@ fn pulls(model: &Model, work: &mut Workspace, axis: Axis) -> Pulls {
     pulls
 }
 
-/// B of a moment K. If K is a multiple of `u x b`, it is that multiple of b; otherwise it is `K x
-/// u`.
+/// B of a moment K. If K is a multiple of `u x b`, it is that multiple of b; otherwise it is
+/// `K x u`.
 fn pull_of(work: &mut Workspace, axis: Axis, moment: Vector) -> Components {
     let moment = work.part(moment, Frame::WORLD);
     let opposite = work.graph.negate_vector(moment);

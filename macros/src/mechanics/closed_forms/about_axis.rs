@@ -1,5 +1,5 @@
-//! Motions about an axis that have a closed form: with constant acceleration, or as a pendulum, `w'
-//! = a sin theta + b cos theta`.
+//! Motions about an axis that have a closed form: with constant acceleration, or as a pendulum,
+//! `w' = a sin theta + b cos theta`.
 
 use crate::mechanics::proofs::all_vanish;
 use crate::model::{Model, Workspace};

@@ -74,8 +74,8 @@ impl Properties {
         }
     }
 
-    /// The properties about a point from which the origin is at `r`: `J + (2 r.h 1 - r h - h r) + m
-    /// (r^2 1 - r r)`.
+    /// The properties about a point from which the origin is at `r`:
+    /// `J + (2 r.h 1 - r h - h r) + m (r^2 1 - r r)`.
     pub fn seen_from(self, graph: &mut Graph, r: Components) -> Self {
         let mut inertia = crate::model::displaced(graph, self.mass, r, &self.inertia);
         let along = graph.dot(r, self.first);

@@ -38,8 +38,8 @@ impl Inertia {
         }
     }
 
-    /// `J w' + w x J w`: the rate of change of the angular momentum. For a single moment, it is `J
-    /// w'`.
+    /// `J w' + w x J w`: the rate of change of the angular momentum. For a single moment, it is
+    /// `J w'`.
     pub fn change(self, graph: &mut Graph, w: Components, rate: Components) -> Components {
         let Self::Spatial(rows) = self else {
             return self.times(graph, rate);

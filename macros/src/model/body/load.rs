@@ -17,8 +17,8 @@ pub struct Load {
     pub point: Point,
     /// The moment, without that of the force.
     pub moment: Vector,
-    /// For the potential of a rod: the pull `-dU/du` at its axis u, in world axes. The moment is `u
-    /// x` this.
+    /// For the potential of a rod: the pull `-dU/du` at its axis u, in world axes. The moment is
+    /// `u x` this.
     pub pull: Option<Components>,
     /// The potential from which the load is derived, if there is one. Such a load acts all over the
     /// body, and `point` is arbitrary.

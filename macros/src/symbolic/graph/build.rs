@@ -5,9 +5,9 @@
 //! absorbs them. Beyond that, no sum is multiplied out and no order of summation is changed: the
 //! form of the equations is the responsibility of their author.
 //!
-//! The rules are those of real numbers. They hold wherever an expression has a value: `0 * x`, `x -
-//! x` and `0 / x` are zero, `x / x` and `x * (1 / x)` are one. Where it has none, because `x` is
-//! zero or NaN, the simplified expression may have one.
+//! The rules are those of real numbers. They hold wherever an expression has a value: `0 * x`,
+//! `x - x` and `0 / x` are zero, `x / x` and `x * (1 / x)` are one. Where it has none, because `x`
+//! is zero or NaN, the simplified expression may have one.
 
 use crate::symbolic::number::{Foreign, Function, Number, ORDERS, Table};
 

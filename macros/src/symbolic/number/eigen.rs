@@ -137,9 +137,9 @@ pub fn scaled(vector: &[Number; 3]) -> ([Number; 3], Number) {
     (ratios, largest)
 }
 
-/// The repeated eigenvalue of a non-diagonal matrix, if it has one. Such a matrix is `lambda 1 +
-/// delta n n`, so lambda is what remains of the diagonal after subtracting `delta n_i^2 = (delta
-/// n_i n_j) (delta n_k n_i) / (delta n_j n_k)`.
+/// The repeated eigenvalue of a non-diagonal matrix, if it has one. Such a matrix is
+/// `lambda 1 + delta n n`, so lambda is what remains of the diagonal after subtracting
+/// `delta n_i^2 = (delta n_i n_j) (delta n_k n_i) / (delta n_j n_k)`.
 fn repeated(matrix: &Matrix) -> Option<Number> {
     let product = |i: usize, j: usize| &matrix[i][j];
     let zeros = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| product(i, j).is_zero());

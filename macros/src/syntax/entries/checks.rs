@@ -1,5 +1,5 @@
-//! Checks: `name = condition`, and the state for which it is checked: `(condition).given(thrust =
-//! 2[N])`.
+//! Checks: `name = condition`, and the state for which it is checked:
+//! `(condition).given(thrust = 2[N])`.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 

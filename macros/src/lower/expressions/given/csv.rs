@@ -1,5 +1,5 @@
-//! Tables in files: `table(alpha, "lift.csv")`; with the name of a column, `table(alpha,
-//! "polar.csv", "drag")`; with two arguments, `table(alpha, speed, "lift.csv")`.
+//! Tables in files: `table(alpha, "lift.csv")`; with the name of a column,
+//! `table(alpha, "polar.csv", "drag")`; with two arguments, `table(alpha, speed, "lift.csv")`.
 //!
 //! Commas separate cells. Empty lines and lines that begin with `#` are skipped. The first row is a
 //! header if none of its cells is a number.

@@ -1,5 +1,5 @@
-//! Tables: `table(alpha, [-0.2, 0, 0.2], [-1.1, 0.1, 1.2][N])`; of two arguments, `table(alpha,
-//! speed, [..], [..], [[..], [..]])`.
+//! Tables: `table(alpha, [-0.2, 0, 0.2], [-1.1, 0.1, 1.2][N])`; of two arguments,
+//! `table(alpha, speed, [..], [..], [[..], [..]])`.
 
 use proc_macro2::Ident;
 

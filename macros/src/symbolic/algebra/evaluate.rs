@@ -80,7 +80,7 @@ pub(in crate::symbolic) fn binary(function: Function, a: f64, b: f64) -> f64 {
     }
 }
 
-#[allow(clippy::float_cmp, reason = "the comparison that was written")]
+#[allow(clippy::float_cmp, reason = "the user wrote this comparison")]
 fn compare(comparison: Comparison, a: f64, b: f64) -> bool {
     match comparison {
         Comparison::Less => a < b,

@@ -26,12 +26,12 @@ impl Graph {
         self.number(Number::integer(value))
     }
 
-    #[expect(clippy::unused_self, reason = "made as all other numbers are")]
+    #[expect(clippy::unused_self, reason = "called as the other constructors are")]
     pub fn zero(&self) -> Id {
         ZERO
     }
 
-    #[expect(clippy::unused_self, reason = "made as all other numbers are")]
+    #[expect(clippy::unused_self, reason = "called as the other constructors are")]
     pub fn one(&self) -> Id {
         ONE
     }

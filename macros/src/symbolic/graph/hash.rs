@@ -28,7 +28,7 @@ impl Hasher for WordHasher {
     }
 
     fn write_u128(&mut self, word: u128) {
-        #[expect(clippy::cast_possible_truncation, reason = "its two halves")]
+        #[expect(clippy::cast_possible_truncation, reason = "both halves are hashed")]
         let halves = [word as u64, (word >> 64) as u64];
         self.write_u64(halves[0]);
         self.write_u64(halves[1]);

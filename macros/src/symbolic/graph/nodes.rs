@@ -310,12 +310,12 @@ impl Graph {
         }
     }
 
-    #[expect(clippy::unused_self, reason = "asked as all else is")]
+    #[expect(clippy::unused_self, reason = "called as the other predicates are")]
     pub fn is_zero(&self, id: Id) -> bool {
         id == ZERO
     }
 
-    #[expect(clippy::unused_self, reason = "asked as all else is")]
+    #[expect(clippy::unused_self, reason = "called as the other predicates are")]
     pub fn is_one(&self, id: Id) -> bool {
         id == ONE
     }

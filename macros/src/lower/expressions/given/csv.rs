@@ -180,7 +180,7 @@ impl<'t> File<'t> {
 }
 
 /// Numbers without a unit.
-#[allow(clippy::unnecessary_wraps, reason = "the end of a chain")]
+#[allow(clippy::unnecessary_wraps, reason = "it ends chains of `?`")]
 fn plain(numbers: Vec<(Number, Extent)>) -> Option<Column> {
     Some(Column {
         numbers,

@@ -103,10 +103,7 @@ impl Lowering<'_> {
         }
     }
 
-    #[allow(
-        clippy::option_option,
-        reason = "outer: reported; inner: none is written"
-    )]
+    #[allow(clippy::option_option, reason = "outer: reported; inner: not written")]
     fn unit_of_values(&mut self, last: &Expression) -> Option<Option<(Number, Dimension)>> {
         match &last.kind {
             Kind::Unit(_, unit) => Some(Some(lower_unit(unit, self.errors)?)),

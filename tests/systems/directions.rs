@@ -1,4 +1,5 @@
-//! Directions in the axes of the carried body, of the carrier, and of the ground, where bodies are turned.
+//! Directions in the axes of the carried body, of the carrier, and of the ground, for rotated
+//! bodies.
 
 use nalgebra::{Rotation3, Vector3};
 use newton_euler::prelude::*;

@@ -1,5 +1,4 @@
-//! Given drives of free bodies: a force at G and a moment, as if they were written in the braces of
-//! the body.
+//! Given drives of free bodies: a force at G and a moment, as if written in the braces of the body.
 
 use nalgebra::Vector2;
 use newton_euler::prelude::*;

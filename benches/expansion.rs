@@ -1,8 +1,8 @@
-//! The time of expansion of descriptions, and its growth with their size.
+//! The time that the expansion of descriptions takes, and how it grows with their size.
 //!
-//! Proc macros run unoptimized in every build of a user's crate, so run this in the same way: `cargo
-//! test --bench expansion`, which is `cargo bench` without optimization. Robot files, with a
-//! floating root, follow as `-- robot.urdf:root_link`.
+//! Proc macros run unoptimized in every build of a user's crate, so this should run unoptimized,
+//! too: `cargo test --bench expansion`, which is `cargo bench` without optimization. Robot files,
+//! whose root floats, are given as `-- robot.urdf:root_link`.
 
 #[path = "../tests/compiler/descriptions.rs"]
 mod descriptions;
@@ -14,7 +14,7 @@ use descriptions::{many_forces, quadrotor};
 use proc_macro2::{Group, Punct, Spacing, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
-/// A system as a file of tests describes it.
+/// The system with this name, as a test file describes it.
 fn described(text: &str, name: &str) -> TokenStream {
     let file = syn::parse_file(text).expect("a file of Rust");
     let systems = file.items.into_iter().filter_map(|item| match item {
@@ -28,7 +28,7 @@ fn described(text: &str, name: &str) -> TokenStream {
     named.next().expect("a system of this name")
 }
 
-/// The same with these outputs alone.
+/// The same description with only these outputs.
 fn asking(description: TokenStream, outputs: &TokenStream) -> TokenStream {
     let asked = quote!(outputs: [#outputs]);
     let trees = description.into_iter().map(|tree| match tree {
@@ -52,7 +52,7 @@ fn asking(description: TokenStream, outputs: &TokenStream) -> TokenStream {
     trees.collect()
 }
 
-/// A robot of a file, whose root floats.
+/// A robot from a file, with a floating root.
 fn floating(argument: &str) -> TokenStream {
     let (file, root) = argument.split_once(':').expect("file.urdf:root_link");
     let root = format_ident!("{root}");
@@ -166,8 +166,8 @@ fn main() {
     }
 }
 
-/// Seconds that this thread has had a core, where the system tells, so that other work on the machine does not count; else
-/// those that passed.
+/// The seconds during which this thread has had a core, if the system tells, so that other work on
+/// the machine does not count. Otherwise, the seconds that have passed.
 fn processor_time() -> f64 {
     static BEGIN: LazyLock<Instant> = LazyLock::new(Instant::now);
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
@@ -176,7 +176,7 @@ fn processor_time() -> f64 {
     nanoseconds.map_or_else(|| BEGIN.elapsed().as_secs_f64(), |time| time * 1e-9)
 }
 
-/// The least time of five.
+/// The shortest time of five.
 fn row(name: &str, expanded: impl Fn() -> TokenStream) {
     let mut size = 0;
     let times = (0..5).map(|_| {

@@ -1,7 +1,7 @@
 //! The cost of closed forms: one evaluation, with and without its setup, compared with one step of
 //! an integrator on the same body.
 //!
-//! The least of many rounds, in one thread. `cargo bench --bench flow`
+//! The shortest time of many rounds is taken, in one thread. Run `cargo bench --bench flow`.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -77,7 +77,7 @@ rigid_body!(Clock {
 const ROUNDS: usize = 200;
 const CALLS: u32 = 500;
 
-/// Nanoseconds of a call at different times of the motion.
+/// The nanoseconds that a call takes, at different times of the motion.
 fn least<T>(span: f64, call: impl Fn(f64) -> T) -> f64 {
     let round = || {
         let start = Instant::now();

@@ -1,7 +1,8 @@
-//! Sines and cosines in lanes: ns per pair, in registers of each width, and relative to one lane,
-//! which is libm's.
+//! Sines and cosines in lanes: ns per pair, in registers of each width, and relative to a single
+//! lane, which is computed by libm.
 //!
-//! Least of many rounds, in one thread, including loads and stores. `cargo bench --bench sines`
+//! The shortest time of many rounds is taken, in one thread, including loads and stores. Run
+//! `cargo bench --bench sines`.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -18,10 +19,10 @@ rigid_body!(Circle::<T> {
     forces: [radius = force * world(angle.cos(), angle.sin())],
 });
 
-/// Members: their columns stay in the cache next to the core.
+/// The number of members. Their columns stay in the cache next to the core.
 const COUNT: usize = 512;
 
-/// ns for each member, in registers of this width, of angles up to a size.
+/// The ns per member, in registers of this width, for angles up to this size.
 fn measure(width: Width, size: f64) -> f64 {
     let rest = PlanarTranslation::default();
     let mut members = Ensemble::new(&Circle::default(), (0..COUNT).map(|_| rest));

@@ -1,11 +1,12 @@
-//! Steps of the Taylor integrator: time of a step by order, and time of a simulated second by
-//! tolerance.
+//! Steps of the Taylor integrator: the time of a step by order, and the time of a simulated second
+//! by tolerance.
 //!
-//! Single thread, best of a few runs; the error is that of attitude and relative angular velocity
-//! after 10 s, against the 40-digit trajectories of `tests/reference`. `cargo bench --bench taylor`
+//! Times are the shortest of a few runs, in one thread. The error is that of attitude and relative
+//! angular velocity after 10 s, compared with the 40-digit trajectories of `tests/reference`. Run
+//! `cargo bench --bench taylor`.
 //!
-//! `cargo bench --bench taylor -- long` takes 10⁸ compensated steps of order 16 instead, 12.5
-//! million seconds of the free body, and prints the errors of energy and angular momentum.
+//! `cargo bench --bench taylor -- long` takes 10⁸ compensated steps of order 16 instead, which are
+//! 12.5 million seconds of the free body, and prints the errors of energy and angular momentum.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -38,7 +39,7 @@ rigid_body!(LagrangeTop {
     outputs: [taylor],
 });
 
-// the same, with moments that are equal only at run time: its series are those in its own axes
+// the same body with moments that are equal only at run time, so that its series use its own axes
 rigid_body!(HiddenTop {
     motion: rotation,
     params: [across = 1[kg * m ^ 2], again = 1[kg * m ^ 2]],
@@ -47,7 +48,7 @@ rigid_body!(HiddenTop {
     outputs: [taylor],
 });
 
-/// The start of a problem, and its end after 10 s.
+/// The start of a problem, and its state after 10 s.
 fn ends(name: &str) -> [Rotation; 2] {
     let problem = trajectory(name);
     let [early, whole] = [&problem["at_T_10"], &problem];
@@ -62,7 +63,7 @@ fn ends(name: &str) -> [Rotation; 2] {
     ]
 }
 
-/// The least time of a few runs \[s\].
+/// The shortest time of a few runs \[s\].
 fn least(mut run: impl FnMut()) -> f64 {
     let once = |run: &mut dyn FnMut()| {
         let start = Instant::now();

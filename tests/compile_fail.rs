@@ -1,8 +1,8 @@
-//! Invalid descriptions, and the errors that a user sees: one mistake per file, in folders named by
-//! the kind of mistake, and `many/ten_mistakes.rs` with ten at once.
+//! Invalid descriptions, and the errors that a user sees: one mistake per file, in folders named
+//! after the kind of mistake, and `many/ten_mistakes.rs` with ten at once.
 //!
 //! The messages depend on the toolchain, which `rust-toolchain.toml` pins. After a change of
-//! wording: `TRYBUILD=overwrite cargo test --test compile_fail`, and read the difference.
+//! wording, run `TRYBUILD=overwrite cargo test --test compile_fail` and review the difference.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! The dependencies of a user's build: their number, sources, licenses, and Rust versions.
+//! The dependencies of a user's build: their number, sources, licenses and Rust versions.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;

@@ -1,7 +1,7 @@
 //! One `acceleration` of each example takes at most 5 % more instructions than recorded.
 //!
 //! The counts are for optimized code, so this runs `benches/instructions`, built without flags. It
-//! does not use the test harness, which would not show that it is skipped.
+//! does not use the test harness, which would not show that the test is skipped.
 
 use std::process::Command;
 

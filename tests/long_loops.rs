@@ -1,5 +1,5 @@
-//! A crank-rocker that passes close to a dead point twice per turn: its energy and its branch over
-//! a million steps; unoptimized, over ten thousand.
+//! A crank-rocker that passes close to a dead point twice per revolution: its energy and its branch
+//! over a million steps, or ten thousand without optimization.
 #![allow(missing_docs)]
 
 use newton_euler::integrate::{DormandPrince8, Fixed, Projected};

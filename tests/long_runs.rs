@@ -1,5 +1,5 @@
-//! A small run of the example `long_runs`: laws of growth, conserved quantities, a satellite's
-//! week.
+//! A short run of the example `long_runs`: laws of error growth, conserved quantities, a
+//! satellite's week.
 #![allow(missing_docs, reason = "tests")]
 #![allow(dead_code, reason = "of the example not all is looked at")]
 

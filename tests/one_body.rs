@@ -1,5 +1,5 @@
-//! A system of one body on one joint is that body: the same operations, and to rounding the same
-//! accelerations, as the single body with the motion that the joint leaves it.
+//! A system of one body on one joint has the same operations, and to rounding the same
+//! accelerations, as the single body with the kind of motion that the joint gives it.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector2, Vector3};
 use newton_euler::operations::Operations;

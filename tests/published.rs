@@ -1,5 +1,5 @@
 //! Published problems, written as descriptions: the examples `tumbling_brick` and
-//! `rigid_body_benchmarks`, against 40-digit arithmetic and against the published results.
+//! `rigid_body_benchmarks`, compared with 40-digit arithmetic and with the published results.
 #![allow(missing_docs, reason = "tests")]
 #![allow(dead_code, reason = "of the examples not all is looked at")]
 

@@ -1,6 +1,6 @@
 //! A user's crate that renames the dependency, and one that gets it through a third crate.
 //!
-//! `renamed/` has the sources; the manifests are written here, since the paths in them are
+//! The sources are in `renamed/`. The manifests are written here, because the paths in them are
 //! absolute. Both are built offline from the dependencies of this workspace, in the versions of its
 //! lock file.
 

@@ -1,4 +1,4 @@
-//! No `unsafe` in either crate, not even with lints off; `tests/user_lints` checks generated code.
+//! No `unsafe` in either crate, not even with lints off. `tests/user_lints` checks generated code.
 
 #[test]
 fn both_crates_forbid_it() {

@@ -1,4 +1,4 @@
-//! Statistics: exact, and the same from any shards; compared with rational numbers.
+//! Statistics: exact, and the same from any shards. They are compared with rational numbers.
 
 use dashu_ratio::RBig;
 use nalgebra::Vector2;

@@ -1,5 +1,5 @@
-//! The example `work_precision`: its problems reach their known ends, and its times are read
-//! correctly.
+//! The example `work_precision`: its problems reach their known final states, and its times are
+//! read correctly.
 #![allow(missing_docs, reason = "tests")]
 #![allow(dead_code, reason = "of the example not all is looked at")]
 

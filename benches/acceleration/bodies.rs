@@ -1,4 +1,4 @@
-//! The bodies as they are described.
+//! The descriptions of the bodies.
 
 use newton_euler::rigid_body;
 

@@ -1,6 +1,8 @@
-//! The same bodies as one writes them without the macro: nalgebra's vectors, a stored inertia and its stored inverse.
+//! The same bodies, as one would write them without the macro: nalgebra's vectors, a stored inertia
+//! and its stored inverse.
 //!
-//! All is `#[inline(always)]`, so that what is called inlined is so on both sides.
+//! Everything is `#[inline(always)]`, so that the calls that are inlined on one side are inlined on
+//! the other, too.
 
 use nalgebra::{Matrix3, Rotation2, Vector2, Vector3};
 use newton_euler::prelude::*;
@@ -16,7 +18,7 @@ pub fn diagonal() -> Matrix3<f64> {
     Matrix3::from_diagonal(&Vector3::new(1.3, 1.7, 2.1))
 }
 
-/// A body in space; its input is the force, body axes.
+/// A body in space. Its input is the force, in body axes.
 pub struct Space {
     inverse_mass: f64,
     nozzle: Vector3<f64>,
@@ -25,7 +27,7 @@ pub struct Space {
 }
 
 impl Space {
-    /// Weight pulls along -z.
+    /// The weight acts along -z.
     pub fn new(inertia: Matrix3<f64>) -> Self {
         Self {
             inverse_mass: 1.0 / MASS,
@@ -35,7 +37,7 @@ impl Space {
         }
     }
 
-    /// The nozzle is in the plane x, y, and weight pulls along -y.
+    /// The nozzle is in the x-y plane, and the weight acts along -y.
     pub fn flat() -> Self {
         Self {
             nozzle: Vector3::new(0.1, -0.2, 0.0),
@@ -61,7 +63,7 @@ impl RigidBody for Space {
     }
 }
 
-/// The same under a force at G, world axes, and a moment, body axes.
+/// The same body under a force at G, in world axes, and a moment, in body axes.
 pub struct Unturned(pub Space);
 
 impl RigidBody for Unturned {
@@ -84,7 +86,7 @@ impl RigidBody for Unturned {
     }
 }
 
-/// The rotation alone, without loads.
+/// Only the rotation, without loads.
 pub struct Turning {
     inertia: Matrix3<f64>,
     inverse: Matrix3<f64>,
@@ -117,7 +119,7 @@ impl RigidBody for Turning {
     }
 }
 
-/// A body in the plane; its input is the force, body axes.
+/// A body in the plane. Its input is the force, in body axes.
 pub struct Flat {
     inverse_mass: f64,
     inverse_inertia: f64,
@@ -150,7 +152,7 @@ impl RigidBody for Flat {
     }
 }
 
-/// Of a body in the plane, only the sine and the cosine, by the library's own functions.
+/// Only the sine and the cosine that a body in the plane needs, by the library's own functions.
 pub struct SineAndCosine;
 
 impl RigidBody for SineAndCosine {

@@ -1,4 +1,4 @@
-//! A linearisation in blocks against the accelerations alone.
+//! A linearization in blocks, compared with the accelerations alone.
 
 use std::hint::black_box;
 
@@ -32,8 +32,8 @@ fn case(i: u32) -> Case {
     (state, input)
 }
 
-/// Through calls that the compiler cannot look into: a linearisation is not inlined either. Results stay
-/// where they are made: a copy of them would be timed with them.
+/// The compiler cannot look into these calls; a linearization is not inlined either. Results stay
+/// where they are made, because a copy of them would be timed, too.
 #[inline(never)]
 fn acceleration(body: &Crazyflie, (state, input): &Case) {
     black_box(&body.acceleration(0.0, state, input));

@@ -1,4 +1,4 @@
-//! Many bodies at a time: an ensemble against nalgebra's loop over an array of structs.
+//! Many bodies at a time: an ensemble, compared with nalgebra in a loop over an array of structs.
 
 use std::hint::black_box;
 
@@ -13,7 +13,8 @@ use crate::memory::bandwidth;
 use crate::paired::paired;
 use crate::table::{Table, Traffic};
 
-/// How many bodies, and where they then are on a processor with 32 to 48 KB, 1 MB and 32 MB of cache.
+/// The number of bodies, and where they fit on a processor with 32 to 48 KB, 1 MB and 32 MB of
+/// cache.
 const SIZES: [(u32, &str); 4] = [
     (1 << 7, "L1"),
     (1 << 11, "L2"),
@@ -21,10 +22,11 @@ const SIZES: [(u32, &str); 4] = [
     (1 << 19, "memory"),
 ];
 
-/// Bytes of one body that cross from memory: read are attitude, angular velocity and force, written is the acceleration.
+/// The bytes per body that are moved to or from memory: attitude, angular velocity and force are
+/// read, and the acceleration is written.
 const OURS: usize = 8 * (4 + 3 + 3 + 6);
 
-/// The same of an array of structs: what is not read lies in the same cache lines.
+/// The same for an array of structs: what is not read is in the same cache lines.
 const BY_HAND: usize =
     size_of::<Spatial>() + size_of::<Vector3<f64>>() + size_of::<SpatialAcceleration>();
 
@@ -47,7 +49,7 @@ pub fn measure(table: &mut Table) {
     }
 }
 
-/// All members in every width that the processor has.
+/// All members, in every width that the processor has.
 fn of_size(table: &mut Table, count: u32, place: &str) {
     let xs = || (0..count).map(|i| f64::from(i) * 0.37);
     let loop_by_hand = Loop {
@@ -93,7 +95,7 @@ fn of_size(table: &mut Table, count: u32, place: &str) {
     }
 }
 
-/// What one writes without the library.
+/// What one would write without the library.
 struct Loop {
     body: Space,
     states: Vec<Spatial>,

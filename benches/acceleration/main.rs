@@ -1,8 +1,8 @@
 //! The cost of generated accelerations, compared with hand-written nalgebra for the same bodies.
 //!
-//! Both sides are checked against each other and then timed in turn, in one thread of one run. The
-//! program prints a table, and writes `acceleration.csv` and `acceleration.svg` under
-//! `target/measures`. `cargo bench --bench acceleration`
+//! Both sides are checked against each other, and then timed alternately, in one thread of one run.
+//! The program prints a table, and writes `acceleration.csv` and `acceleration.svg` to
+//! `target/measures`. Run `cargo bench --bench acceleration`.
 
 mod bodies;
 mod by_hand;

@@ -1,4 +1,4 @@
-//! What the machine can move, as a scale for what is moved.
+//! The memory bandwidth of the machine, with which the bytes that are moved can be compared.
 
 use std::hint::black_box;
 
@@ -24,9 +24,11 @@ impl Work for Triad<'_> {
     }
 }
 
-/// Bytes per ns, one thread, in the widest registers, of a triad over arrays of so many bytes together.
+/// Bytes per ns that a triad moves, in one thread and in the widest registers, over arrays with
+/// this many bytes in total.
 ///
-/// Two are read and one is written; that a written line is read before is not counted, neither here nor for bodies.
+/// Two arrays are read and one is written. That a cache line is read before it is written is not
+/// counted, here or for bodies.
 pub fn bandwidth(bytes: usize) -> f64 {
     let length = u32::try_from(bytes / 24).expect("arrays of less than 4 G numbers");
     let mut arrays = [0.0, 1.0, 2.0].map(|number| vec![number; bytes / 24]);

@@ -1,4 +1,4 @@
-//! One body after another: generated against hand-written.
+//! One body after another: generated code, compared with hand-written code.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::prelude::*;
@@ -107,7 +107,7 @@ fn in_the_plane(table: &mut Table) {
     let pair = Pair::checked(what, &plane, &space, apart_in_space);
     pair.independent(table, [Some(0.35), Some(0.35)]);
 
-    // how much of it these two functions are
+    // how much of the time these two functions take
     let turned = Side::new(SineAndCosine, |x| (planar(x).0, ()));
     let what = "its sine and cosine alone, against space";
     let pair = Pair::checked(what, &turned, &space, |one, _| {
@@ -148,7 +148,7 @@ fn in_the_plane(table: &mut Table) {
 }
 
 fn free(table: &mut Table) {
-    // without force, space has the same rotation
+    // without a force, a body in space rotates in the same way
     let unpushed = |x| (spatial(x).0, Vector3::zeros());
     let carry = |state: &mut Rotation, (): &mut (), angular: &Vector3<f64>| {
         state.angular_velocity += angular * 1e-6;

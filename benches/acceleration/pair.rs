@@ -1,4 +1,4 @@
-//! Two bodies that do the same, and the ways in which their times are taken.
+//! Two bodies that do the same, and the ways in which they are timed.
 
 use std::hint::black_box;
 
@@ -7,12 +7,12 @@ use newton_euler::prelude::*;
 use crate::paired::paired;
 use crate::table::Table;
 
-/// Evaluations of a run; their states, inputs and results stay in the nearest cache.
+/// The evaluations in a run. Their states, inputs and results stay in the nearest cache.
 const COUNT: u32 = 128;
 
 pub type Acceleration<B> = <<B as RigidBody>::State as State>::Acceleration;
 
-/// A body and what it is evaluated at.
+/// A body, and the states and inputs at which it is evaluated.
 pub struct Side<B: RigidBody> {
     body: B,
     cases: Vec<(B::State, B::Input)>,
@@ -39,7 +39,7 @@ impl<B: RigidBody<Scalar = f64>> Side<B> {
         black_box(results);
     }
 
-    /// The same through calls that the compiler cannot look into.
+    /// The same, through calls that the compiler cannot look into.
     fn called(&self, results: &mut [Acceleration<B>]) {
         let evaluate = black_box(call::<B> as Evaluate<B>);
         for ((state, input), result) in black_box(&self.cases).iter().zip(&mut *results) {
@@ -48,7 +48,7 @@ impl<B: RigidBody<Scalar = f64>> Side<B> {
         black_box(results);
     }
 
-    /// Evaluations of which each needs the one before it.
+    /// Evaluations each of which needs the result of the one before.
     fn chained(&self, carry: impl Fn(&mut B::State, &mut B::Input, &Acceleration<B>))
     where
         B::Input: Clone,
@@ -64,7 +64,7 @@ impl<B: RigidBody<Scalar = f64>> Side<B> {
 
 type Evaluate<B> = fn(&B, &<B as RigidBody>::State, &<B as RigidBody>::Input, &mut Acceleration<B>);
 
-/// The result is left where it is to be: a copy of it would be timed with it.
+/// The result stays where it is made, because a copy of it would be timed, too.
 #[inline(never)]
 fn call<B: RigidBody<Scalar = f64>>(
     body: &B,
@@ -75,7 +75,7 @@ fn call<B: RigidBody<Scalar = f64>>(
     *result = body.acceleration(0.0, state, input);
 }
 
-/// Two bodies that were found to do the same.
+/// Two bodies that were checked to do the same.
 pub struct Pair<'a, O: RigidBody, H: RigidBody> {
     what: &'a str,
     ours: &'a Side<O>,
@@ -103,7 +103,8 @@ impl<'a, O: RigidBody<Scalar = f64>, H: RigidBody<Scalar = f64>> Pair<'a, O, H> 
         }
     }
 
-    /// Rows for independent evaluations, inlined and called, with the ratios to be reached.
+    /// Rows for independent evaluations, inlined and called, with the ratios that are to be
+    /// reached.
     pub fn independent(&self, table: &mut Table, [inlined, call]: [Option<f64>; 2]) {
         let Self { ours, against, .. } = self;
         let (mut first, mut second) = (ours.accelerations(), against.accelerations());
@@ -121,7 +122,7 @@ impl<'a, O: RigidBody<Scalar = f64>, H: RigidBody<Scalar = f64>> Pair<'a, O, H> 
         table.row(format!("{}, call", self.what), times, call);
     }
 
-    /// A row for evaluations of which each needs the one before it.
+    /// A row for evaluations each of which needs the result of the one before.
     pub fn chain(
         &self,
         table: &mut Table,

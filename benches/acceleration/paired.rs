@@ -1,25 +1,26 @@
-//! Times of two things, taken in turn.
+//! Times of two things, measured alternately.
 
 use crate::clock::{quartiles, repeats, time};
 
-/// Rounds of which the medians are taken.
+/// The number of rounds, of which medians are taken.
 const ROUNDS: usize = 101;
 
-/// No single time is taken over less, in seconds.
+/// The shortest time over which anything is timed, in seconds.
 const SHORTEST: f64 = 200e-6;
 
-/// Times of two things, in ns for each of their evaluations, and the ratio of the first to the second.
+/// The times of two things, in ns per evaluation, and the ratio of the first to the second.
 ///
-/// All are medians over the rounds; the ratio is taken within each round, where the processor is the same for both.
+/// All are medians over the rounds. The ratio is taken within each round, in which the processor is
+/// in the same condition for both.
 #[derive(Clone, Copy)]
 pub struct Paired {
     pub ours: f64,
     pub against: f64,
-    /// Quartiles; the second is the median.
+    /// The quartiles, the second of which is the median.
     pub ratio: [f64; 3],
 }
 
-/// Both are run in turn; each run makes a number of evaluations.
+/// Runs both alternately; each run makes a number of evaluations.
 pub fn paired(evaluations: u32, mut ours: impl FnMut(), mut against: impl FnMut()) -> Paired {
     let repeats = [
         repeats(SHORTEST, &mut ours),
@@ -45,7 +46,7 @@ pub fn paired(evaluations: u32, mut ours: impl FnMut(), mut against: impl FnMut(
     }
 }
 
-/// The median time of one thing, in ns for each of its evaluations.
+/// The median time of one thing, in ns per evaluation.
 pub fn alone(evaluations: u32, mut work: impl FnMut()) -> f64 {
     let repeats = repeats(SHORTEST, &mut work);
     let times = (0..ROUNDS).map(|_| time(repeats, &mut work)).collect();

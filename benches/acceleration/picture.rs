@@ -1,4 +1,4 @@
-//! The table as a picture: a bar for each ratio, a mark where it is to be.
+//! The table as a picture: a bar for each ratio, and a mark at the ratio to be reached.
 
 use std::fmt::Write;
 
@@ -6,10 +6,10 @@ use crate::drawing::{line, picture, text};
 use crate::table::{Row, Table};
 
 const LINE: f64 = 20.0;
-/// Width of the names, and of the names with the numbers.
+/// The width of the names, and of the names with the numbers.
 const NAMES: f64 = 370.0;
 const LEFT: f64 = 420.0;
-/// Width of a ratio of one.
+/// The width of a ratio of one.
 const ONE: f64 = 300.0;
 const MARGIN: f64 = 20.0;
 

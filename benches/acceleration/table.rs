@@ -1,30 +1,30 @@
-//! The table: printed, and as comma-separated values.
+//! The table, printed and as comma-separated values.
 
 use std::fmt::{self, Write as _};
 
 use crate::paired::Paired;
 
-/// What was measured.
+/// The measured rows.
 #[derive(Default)]
 pub struct Table {
     pub rows: Vec<Row>,
 }
 
-/// Two things that do the same.
+/// A row: two things that do the same.
 pub struct Row {
     pub what: String,
     pub times: Paired,
-    /// The ratio of times that is asked for.
+    /// The ratio of times that is to be reached.
     pub reach: Option<f64>,
     pub traffic: Option<Traffic>,
 }
 
-/// What crosses between processor and memory.
+/// What is moved between processor and memory.
 #[derive(Clone, Copy)]
 pub struct Traffic {
-    /// Bytes for each body, ours and the other's.
+    /// The bytes per body: ours, and the other's.
     pub bytes: [usize; 2],
-    /// Bytes per ns, as measured on a loop that does nothing else with as many bytes as ours.
+    /// Bytes per ns, measured with a loop that only moves as many bytes as ours.
     pub bandwidth: f64,
 }
 
@@ -49,7 +49,8 @@ impl Table {
         self.rows.last_mut().expect("the row just made").traffic = Some(traffic);
     }
 
-    /// One line for each row, under a line of names; what a row does not have is empty.
+    /// A line of names, followed by one line for each row. Values that a row does not have are
+    /// empty.
     pub fn csv(&self) -> String {
         let mut text = String::from(
             "what,ours_ns,against_ns,ratio,quartile_low,quartile_high,reach,\
@@ -63,7 +64,7 @@ impl Table {
 }
 
 impl Row {
-    /// Whether the ratio is as asked for.
+    /// Whether the required ratio is reached.
     pub fn is_reached(&self) -> Option<bool> {
         self.reach.map(|reach| self.times.ratio[1] <= reach)
     }
@@ -120,7 +121,7 @@ impl Row {
         )
     }
 
-    /// Bytes for each body, and bytes per ns: ours, the other's and those of the triad.
+    /// The bytes per body, and the bytes per ns: ours, the other's and those of the triad.
     fn speeds(&self) -> Option<([usize; 2], [f64; 3])> {
         let Traffic { bytes, bandwidth } = self.traffic?;
         let [first, second] =

@@ -1,4 +1,4 @@
-//! Bodies that are in no diagram.
+//! Bodies that occur in no diagram.
 
 use newton_euler::rigid_body;
 

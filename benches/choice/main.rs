@@ -1,7 +1,8 @@
-//! The time of series over that of the faster Runge–Kutta pair, and which of both is the default.
+//! The time of series divided by that of the faster Runge–Kutta pair, and which of the two is the
+//! default.
 //!
-//! The shortest of many runs of each, at equal tolerances. A star is at the tolerance for which the
-//! macro chooses, if it chose series. `cargo bench --bench choice`
+//! For each, the shortest time of many runs is taken, at equal tolerances. If the macro chose
+//! series, a star marks the tolerance for which it chooses. Run `cargo bench --bench choice`.
 
 mod bodies;
 #[path = "../../examples/work_precision/systems/described.rs"]
@@ -30,7 +31,7 @@ use problem::{flying, swinging, turning};
 use reference::{number, system};
 
 const TOLERANCES: [f64; 6] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13];
-/// Which of these is the default.
+/// The default tolerance.
 const DEFAULT: f64 = 1e-9;
 const RUNS: usize = 200;
 

@@ -1,4 +1,4 @@
-//! The bodies of the examples, which are mounted here, and a state for each that has its own.
+//! The bodies of the examples, which are mounted here, each with a state.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use newton_euler::prelude::*;
 use crate::counted::evaluate;
 use crate::somewhere::Somewhere;
 
-/// Programs of which the descriptions are wanted.
+/// Mounts example programs for their descriptions.
 macro_rules! examples {
     ($($name:ident $path:literal;)*) => {$(
         #[allow(dead_code)]
@@ -58,7 +58,7 @@ pub struct Body {
     pub evaluate: fn(),
 }
 
-/// The bodies, with their paths as names.
+/// The bodies, named by their paths.
 macro_rules! bodies {
     ($($body:ty,)*) => {
         &[$(Body { name: stringify!($body), evaluate: evaluate::<$body> }),*]
@@ -108,7 +108,8 @@ pub const BODIES: &[Body] = bodies![
     urdf_arm::Arm,
 ];
 
-/// Examples of which no body is in the list; folders are measurements themselves.
+/// The examples without a body in the list. Folders are not counted: they are measurements
+/// themselves.
 pub fn missing() -> Vec<String> {
     let examples = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/examples"));
     let paths = examples
@@ -161,7 +162,7 @@ impl Somewhere for rocket::RocketState {
     }
 }
 
-/// States of systems, joint by joint.
+/// The states of systems, joint by joint.
 macro_rules! systems {
     ($($state:path { $($joint:ident),* })*) => {$(
         impl Somewhere for $state {

@@ -1,4 +1,4 @@
-//! The evaluation that is counted, and the counting.
+//! The evaluation that is counted, and how it is counted.
 
 use std::hint::black_box;
 use std::process::Command;
@@ -9,7 +9,7 @@ use crate::somewhere::Somewhere;
 
 type Acceleration<B> = <<B as RigidBody>::State as State>::Acceleration;
 
-/// Evaluates a body once, as its parameters are by default and without input.
+/// Evaluates a body once, with its default parameters and without input.
 pub fn evaluate<B>()
 where
     B: RigidBody<Scalar = f64, State: Somewhere> + Default,
@@ -19,7 +19,8 @@ where
     black_box(counted_acceleration(&body, &state, &input));
 }
 
-/// What is counted, elementary functions that it calls included. Callgrind finds it by its name.
+/// What is counted, including the elementary functions that it calls. Callgrind finds it by its
+/// name.
 #[inline(never)]
 fn counted_acceleration<B: RigidBody<Scalar = f64>>(
     body: &B,

@@ -1,9 +1,9 @@
-//! Instructions of one `acceleration` of each body in `examples/`, counted by callgrind.
+//! The instructions of one `acceleration` of each body in `examples/`, counted by callgrind.
 //!
-//! The counts repeat exactly. They may be 5 % above those of `counts.txt`; `BLESS=1` rewrites that
-//! file. They belong to the toolchain of `rust-toolchain.toml` and to baseline x86-64: build
-//! without flags. Needs valgrind. `cargo bench --bench instructions`; `tests/instructions.rs` runs
-//! it.
+//! The counts repeat exactly. They may be 5 % above those in `counts.txt`; `BLESS=1` rewrites that
+//! file. The counts belong to the toolchain of `rust-toolchain.toml` and to baseline x86-64, so
+//! build without flags. Valgrind is required. Run `cargo bench --bench instructions`;
+//! `tests/instructions.rs` runs it, too.
 
 mod bodies;
 mod counted;
@@ -16,7 +16,7 @@ use record::Record;
 fn main() {
     let asked = std::env::args().nth(1).unwrap_or_default();
     if let Some(body) = BODIES.iter().find(|body| body.name == asked) {
-        // in valgrind
+        // this process runs in valgrind
         return (body.evaluate)();
     }
     let missing = bodies::missing();

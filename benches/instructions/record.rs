@@ -1,4 +1,4 @@
-//! Counts as they are on record.
+//! The counts on record.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -9,7 +9,7 @@ const FILE: &str = concat!(
     "/benches/instructions/counts.txt"
 );
 
-/// Instructions of each body.
+/// The number of instructions of each body.
 pub struct Record(BTreeMap<String, u32>);
 
 impl<'a> FromIterator<(&'a str, u32)> for Record {
@@ -24,7 +24,7 @@ impl<'a> FromIterator<(&'a str, u32)> for Record {
 }
 
 impl Record {
-    /// What the file says.
+    /// The content of the file.
     pub fn read() -> Self {
         let text = fs::read_to_string(FILE).expect("the file of counts");
         let lines = text.lines().map(|line| {
@@ -42,7 +42,7 @@ impl Record {
         fs::write(FILE, text).expect("the file of counts can be written");
     }
 
-    /// Prints these counts beside those on record, and returns what is wrong with them.
+    /// Prints these counts next to the recorded ones, and returns what is wrong with them.
     pub fn compare(&self, recorded: &Self) -> Vec<String> {
         println!(
             "instructions of one acceleration{:>9}{:>10}",

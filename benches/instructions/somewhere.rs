@@ -3,7 +3,7 @@
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
 use newton_euler::prelude::*;
 
-/// A state in which nothing vanishes and the body is not in a special position.
+/// A state in which nothing vanishes, and the body is not in a special position.
 pub trait Somewhere {
     fn somewhere() -> Self;
 }

@@ -1,19 +1,20 @@
-//! Curves over axes of decades: a panel for each group, a colour for each name, a legend.
+//! Curves over logarithmic axes: a panel for each group, a colour for each name, and a legend.
 
 use crate::drawing::{line, picture, text};
 
 const COLUMNS: usize = 3;
-/// A panel with its margins, and what it draws in.
+/// The size of a panel with its margins, and of its plot area.
 const PANEL: [f64; 2] = [330.0, 270.0];
 const PLOT: [f64; 2] = [260.0, 200.0];
-/// From the corner of the panel to that of what it draws in.
+/// The offset from the corner of a panel to that of its plot area.
 const CORNER: [f64; 2] = [50.0, 30.0];
-/// A line of the legend.
+/// The height of a line of the legend.
 const LINE: f64 = 20.0;
-/// Decades upwards beyond which only every fourth has a line.
+/// If the vertical axis has more decades than this, only every fourth has a line.
 const TALL: f64 = 8.0;
 
-/// Of the names, in the order in which they first come; more begin again.
+/// The colours of the names, in the order in which these first occur. If there are more names, the
+/// colours repeat.
 const COLOURS: [&str; 16] = [
     "#d62728", "#1f77b4", "#17becf", "#9467bd", "#ff7f0e", "#7f7f7f", "#c7c7c7", "#bcbd22",
     "#8c564b", "#e7ba52", "#ff7f0e", "#843c39", "#000000", "#2ca02c", "#98df8a", "#e377c2",
@@ -31,7 +32,8 @@ pub struct Panel<'c> {
     pub lines: Vec<Line<'c>>,
 }
 
-/// The decades from left to right, of which every so many has a line; what is beyond is drawn at the edge.
+/// The decades of the horizontal axis, and how many there are per line. Points beyond the ends are
+/// drawn at the edge.
 #[derive(Clone, Copy)]
 pub struct Across {
     pub decades: [i32; 2],
@@ -107,7 +109,7 @@ fn decades(first: f64, last: f64, step: f64) -> impl Iterator<Item = f64> {
 fn path(places: &[[f64; 2]], colour: &str) -> String {
     let joined = |each: fn(&[f64; 2]) -> String| places.iter().map(each).collect::<Vec<_>>();
     let points = joined(|[x, y]| format!("{x:.1},{y:.1}")).join(" ");
-    // a line of no length has a round end, as a mark
+    // a line of zero length with round ends is drawn as a dot
     let marks = joined(|[x, y]| format!("M{x:.1} {y:.1}h0")).concat();
     format!(
         "<g fill=\"none\" stroke=\"{colour}\" stroke-linecap=\"round\">\
@@ -115,7 +117,7 @@ fn path(places: &[[f64; 2]], colour: &str) -> String {
     )
 }
 
-/// The names, in the order in which they first come.
+/// The names, in the order in which they first occur.
 fn names<'c>(panels: &[Panel<'c>]) -> Vec<&'c str> {
     let mut names: Vec<&str> = Vec::new();
     for line in panels.iter().flat_map(|panel| &panel.lines) {
@@ -137,7 +139,7 @@ fn power(decade: f64) -> String {
         '1' => '¹',
         '2' => '²',
         '3' => '³',
-        // 0 and 4 to 9 follow one another
+        // the characters for 0 and for 4 to 9 are consecutive
         _ => char::from_u32('⁰' as u32 + u32::from(digit) - u32::from('0')).unwrap_or(digit),
     };
     let exponent: String = format!("{decade:.0}").chars().map(raised).collect();

@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-/// A picture, drawn on white.
+/// A picture on a white background.
 pub fn picture(width: f64, height: f64, drawn: &str) -> String {
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" font-family=\"sans-serif\" font-size=\"13\">\n\
@@ -11,7 +11,7 @@ pub fn picture(width: f64, height: f64, drawn: &str) -> String {
     )
 }
 
-/// Words that begin, have their middle or end at a place: `start`, `middle`, `end`.
+/// Text whose start, middle or end is at a place: `start`, `middle`, `end`.
 pub fn text(x: f64, y: f64, anchor: &str, words: impl Display) -> String {
     format!("<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{words}</text>\n")
 }

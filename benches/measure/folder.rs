@@ -1,9 +1,10 @@
-//! Where measurements are kept.
+//! Where measurements are stored.
 
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-/// Writes texts under their names into the folder `measures` of the target, and says where.
+/// Writes texts, under their names, into the folder `measures` of the target folder, and prints
+/// where.
 pub fn keep(target: &Path, texts: &[(&str, String)]) -> io::Result<()> {
     let folder: PathBuf = target.join("measures");
     fs::create_dir_all(&folder)?;

@@ -10,17 +10,17 @@ use super::errors::Errors;
 /// Values of symbols.
 type Known = BTreeMap<Id, Number>;
 
-/// The knowledge by which claims are decided.
+/// What claims are decided from.
 pub struct Evidence<'a> {
     pub outline: &'a Outline,
     pub work: &'a Workspace,
     pub defaults: &'a Defaults,
-    /// The expressions that replace symbols that follow from the motion.
+    /// The symbols that follow from the motion, each with the expression that replaces it.
     pub answers: &'a [(Id, Id)],
 }
 
 impl Evidence<'_> {
-    /// Reports all claims that are false or undecided.
+    /// Reports all claims that are false or cannot be decided.
     pub fn check(&self, checks: &Checks, errors: &mut Errors) {
         for check in &checks.list {
             if let Some(known) = self.given(check, errors) {
@@ -29,7 +29,7 @@ impl Evidence<'_> {
         }
     }
 
-    /// The given values, and the defaults of the other params.
+    /// The given values, and the defaults of all other params.
     fn given(&self, check: &Check, errors: &mut Errors) -> Option<Known> {
         let graph = &self.work.graph;
         let is_given = |symbol: &Id| check.given.iter().any(|(other, ..)| other == symbol);
@@ -39,7 +39,7 @@ impl Evidence<'_> {
             .filter(|(symbol, _)| !is_given(symbol))
             .filter_map(|(symbol, value)| Some((*symbol, graph.as_number(*value)?.clone())))
             .collect();
-        // each may depend on others
+        // a given value may depend on others
         let mut left: Vec<_> = check.given.iter().collect();
         loop {
             let count = left.len();
@@ -110,7 +110,7 @@ impl Evidence<'_> {
         values.pop().unwrap_or(Exact::Absent)
     }
 
-    /// The reason why a claim is false, or undecided.
+    /// Why a claim is false or undecided; `None` if it is true.
     fn refuted(&self, claim: &Claim, found: &[Exact]) -> Option<String> {
         let (a, b) = match found {
             [Exact::Number(a), Exact::Number(b)] => (a, b),
@@ -150,7 +150,7 @@ impl Evidence<'_> {
         }
     }
 
-    /// The names of missing values.
+    /// The names of the symbols whose values are missing.
     fn lacking(&self, symbols: &BTreeSet<Id>) -> String {
         let names = symbols.iter().map(|symbol| self.name(*symbol));
         let names: BTreeSet<String> = names.collect();
@@ -184,7 +184,7 @@ impl Evidence<'_> {
                 let mut fields = shape.fields.iter();
                 let field = fields.find(|field| field.component(meaning).is_some());
                 let path = field.map_or("acceleration", |field| field.path);
-                // the components of a quaternion are given as `attitude`
+                // users give the components of a quaternion as `attitude`
                 let path = path.split('.').next().unwrap_or(path);
                 joint.map_or(path.to_owned(), |joint| format!("{}.{path}", joint.name))
             }
@@ -196,8 +196,8 @@ impl Evidence<'_> {
 const UNDECIDED: &str =
     "whether something in this is zero is not told by thousands of bits, nor proved";
 
-/// The symbols that a value lacks; those that follow from the motion are replaced by what they
-/// lack.
+/// The symbols that a value lacks. A symbol that follows from the motion is replaced by the symbols
+/// that it lacks itself.
 fn followed(value: Exact, without: &BTreeMap<Id, Exact>) -> Exact {
     let Exact::Open(symbols) = value else {
         return value;
@@ -215,7 +215,7 @@ fn followed(value: Exact, without: &BTreeMap<Id, Exact>) -> Exact {
     Exact::Open(open)
 }
 
-/// Two numbers in words; if doubles do not distinguish them, by their difference.
+/// Two numbers in words. If their doubles are equal, the second is described by the difference.
 fn told_apart(left: &Number, right: &Number) -> (String, String) {
     let (first, second) = (shown(left), shown(right));
     let difference = right.clone() - left.clone();

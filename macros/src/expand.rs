@@ -24,7 +24,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     };
     let mut outline = lower::outline(&description, &offers::<Model>(), &mut errors);
     let model = lower::lower_description(&description, &mut outline, &mut errors);
-    // errors of a well-formed description: rank, solvability, range
+    // errors that only a well-formed description can have: ranks, solvability, ranges
     let solved = model
         .filter(|_| errors.is_empty())
         .and_then(|(model, work)| solve(&outline, model, None, work, &mut errors));
@@ -56,7 +56,7 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
     tracked.into_iter().chain([all]).collect()
 }
 
-/// The code; for an invalid description, its errors and the same items without content.
+/// The code. For an invalid description, its errors, and the same items without content.
 fn emit<S: Listed>(mut outline: Outline, solved: Option<Solved<S>>, errors: Errors) -> TokenStream {
     match (errors.finish(), solved) {
         (None, Some((sound, outputs))) => {
@@ -70,8 +70,8 @@ fn emit<S: Listed>(mut outline: Outline, solved: Option<Solved<S>>, errors: Erro
     }
 }
 
-/// The content of a correct body or system, and its requested outputs; `file` is its
-/// source file.
+/// The content of a correct body or system, and its requested outputs; `file` is the path of the
+/// file that it comes from, if any.
 fn solve<S: Listed>(
     outline: &Outline,
     model: S,

@@ -1,8 +1,8 @@
-//! Kinds of loads, by their keys and their nature.
+//! Kinds of loads: the keys they are written under, and whether they are forces or moments.
 
 use core::ops::Range;
 
-/// The families of loads of (1.3) and (1.4), by their keys.
+/// The families of loads in (1.3) and (1.4), by the keys they are written under.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Family {
     Reaction,
@@ -19,8 +19,8 @@ pub enum LoadKind {
 }
 
 impl LoadKind {
-    /// The components of forces and linear quantities, or of moments and angular quantities: in the
-    /// plane, the latter are about its normal.
+    /// The indices of the components of forces and linear quantities, or of moments and angular
+    /// quantities. In the plane, the latter are about the normal.
     pub fn axes(self, is_planar: bool) -> Range<usize> {
         match (self, is_planar) {
             (Self::Force, true) => 0..2,

@@ -1,4 +1,4 @@
-//! Exponents: fractions of small whole numbers.
+//! Exponents: fractions of small integers.
 
 use core::fmt;
 
@@ -14,7 +14,7 @@ impl Fraction {
     pub const ZERO: Self = Self::whole(0);
     pub const ONE: Self = Self::whole(1);
 
-    /// From a small integer.
+    /// The fraction that is a small integer.
     pub const fn whole(numerator: i32) -> Self {
         Self {
             numerator,
@@ -22,7 +22,7 @@ impl Fraction {
         }
     }
 
-    /// `None` for a division by zero, and for numbers that are too large in lowest terms.
+    /// `None` for a division by zero, and if the numbers are still too large in lowest terms.
     pub fn new(numerator: i64, denominator: i64) -> Option<Self> {
         let (mut divisor, mut rest) = (numerator.checked_abs()?, denominator.checked_abs()?);
         while rest != 0 {

@@ -19,7 +19,8 @@ mod symbolic;
 mod syntax;
 mod units;
 
-/// Expands a description after the path of the runtime, as passed by the macro of `newton-euler`.
+/// Expands a description that follows the path of the runtime, which the macro of `newton-euler`
+/// passes.
 #[proc_macro]
 pub fn rigid_body(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     expand::expand(input.into()).into()
@@ -31,15 +32,15 @@ pub fn rigid_system(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     expand::expand_system(input.into()).into()
 }
 
-/// The same as `rigid_body`, after the words of the description as code. Errors repeat words as
-/// text, so completion finds its place only in front of them.
+/// The same as `rigid_body`, preceded by the words of the description as code. The words come first
+/// because errors repeat them as text, where completion would not find its place.
 #[proc_macro]
 pub fn rigid_body_in_editors(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     let words = editor::expand_words(input.clone().into());
     [words.into(), rigid_body(input)].into_iter().collect()
 }
 
-/// The same as `rigid_system`, after the words of the description as code.
+/// The same as `rigid_system`, preceded by the words of the description as code.
 #[proc_macro]
 pub fn rigid_system_in_editors(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     let words = editor::expand_words_of_system(input.clone().into());

@@ -1,11 +1,11 @@
-//! Constants of the equations that no double can hold.
+//! Constants of the equations that do not fit in a double.
 
 use crate::model::{Defaults, Outline, Substance, Workspace, is_possible, why_not};
 use crate::symbolic::{Id, Number, Stage};
 
 use super::errors::Errors;
 
-/// A body or a system whose constants have values, by the defaults of parameters.
+/// A body or a system whose constants get values from the defaults of parameters.
 pub struct Constants<'a> {
     pub outline: &'a Outline,
     pub bodies: &'a [Substance],
@@ -13,7 +13,7 @@ pub struct Constants<'a> {
 }
 
 impl Constants<'_> {
-    /// Reports constants of the equations that no double can hold.
+    /// Reports constants of the equations that do not fit in a double.
     pub fn check(&self, work: &mut Workspace, roots: &[Id], errors: &mut Errors) {
         let (outline, defaults) = (self.outline, self.defaults);
         let graph = &mut work.graph;
@@ -66,8 +66,8 @@ impl Constants<'_> {
         }
     }
 
-    /// Reports an inertia that is possible as written, but that the constructor, which computes
-    /// in doubles, rejects with the defaults of all parameters.
+    /// Reports an inertia that is possible as written, but that the constructor would reject with
+    /// the defaults of all parameters, because it computes in doubles.
     fn check_rounded(&self, entries: &[Id], work: &Workspace, errors: &mut Errors) {
         let outline = self.outline;
         let graph = &work.graph;
@@ -89,8 +89,9 @@ impl Constants<'_> {
         }
     }
 
-    /// Whether the constructor, which computes in doubles step by step, leaves their range with the
-    /// defaults of all parameters, on its way to one of the `early` values or to mass and inertia.
+    /// Whether the constructor, with the defaults of all parameters, leaves the range of doubles on
+    /// its way to one of the `early` values, or to mass and inertia: it computes in doubles, step
+    /// by step.
     fn overflows(&self, work: &Workspace, early: &[Id]) -> bool {
         let graph = &work.graph;
         let wanted = early
@@ -106,7 +107,7 @@ impl Constants<'_> {
         values.iter().any(|value| !value.is_finite())
     }
 
-    /// Early values in doubles, computed step by step; NaN without a default.
+    /// Early values, computed in doubles step by step; NaN if a default is missing.
     fn rounded(&self, work: &Workspace, early: &[Id]) -> Vec<f64> {
         let graph = &work.graph;
         let default = |symbol: Id| graph.as_number(*self.defaults.get(&symbol)?);
@@ -116,7 +117,7 @@ impl Constants<'_> {
     }
 }
 
-/// Reports the first part of the description without a value for the defaults of the parameters.
+/// Reports the first part of the description that has no value with the defaults of parameters.
 fn report_without_value(defaults: &Defaults, work: &mut Workspace, errors: &mut Errors) -> bool {
     let graph = &mut work.graph;
     for doubtful in &work.doubtful {

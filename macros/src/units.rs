@@ -1,7 +1,7 @@
 //! The words of units, with their factors and dimensions.
 
-/// Units that take the prefixes of [`PREFIXES`]: name, powers of kg, m, s, A, K, mol, cd; the gram
-/// stands in for the kilogram.
+/// Units that take the prefixes of [`PREFIXES`]: name, and powers of kg, m, s, A, K, mol, cd. The
+/// gram stands in for the kilogram.
 pub const METRIC: [(&str, [i16; 7]); 18] = [
     ("g", [1, 0, 0, 0, 0, 0, 0]),
     ("m", [0, 1, 0, 0, 0, 0, 0]),
@@ -38,7 +38,8 @@ pub const PREFIXES: [(&str, i64); 12] = [
     ("p", -12),
 ];
 
-/// Units with a rational factor: name, numerator, denominator, powers of kg, m, s, A, K, mol, cd.
+/// Units with a rational factor: name, numerator, denominator, and powers of kg, m, s, A, K, mol,
+/// cd.
 pub const CUSTOMARY: [(&str, i64, u64, [i16; 7]); 17] = [
     ("min", 60, 1, [0, 0, 1, 0, 0, 0, 0]),
     ("h", 3600, 1, [0, 0, 1, 0, 0, 0, 0]),
@@ -70,7 +71,7 @@ pub const CUSTOMARY: [(&str, i64, u64, [i16; 7]); 17] = [
     ),
 ];
 
-/// Angles, in turns.
+/// Units of angles: name, and how many make one turn.
 pub const ANGLES: [(&str, u64); 4] = [
     ("deg", 360),
     ("arcmin", 21_600),
@@ -78,7 +79,7 @@ pub const ANGLES: [(&str, u64); 4] = [
     ("rev", 1),
 ];
 
-/// Names that are written as symbols.
+/// Names of units that have to be written as symbols.
 pub const SPELT_OUT: [(&str, &str); 21] = [
     ("newton", "N"),
     ("meter", "m"),

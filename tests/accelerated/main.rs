@@ -1,4 +1,4 @@
-//! Loads that depend on the acceleration which they cause: added mass, rates of flow angles,
+//! Loads that depend on the acceleration that they cause: added mass, rates of flow angles,
 //! feedthrough.
 
 mod bodies;

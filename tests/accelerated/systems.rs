@@ -1,4 +1,4 @@
-//! Systems: loads that follow the accelerations of bodies, points and joints.
+//! Systems with loads that depend on the accelerations of bodies, points and joints.
 
 use nalgebra::{Matrix3, Vector2, Vector3, Vector6};
 use newton_euler::prelude::*;

@@ -1,4 +1,5 @@
-//! What is kept beside a tree, of bodies whose mass changes: as the same of parameters, at every instant.
+//! Constraints, cables and loops on bodies whose mass changes: at every instant, the system moves
+//! like the same system with the mass as a parameter.
 
 use newton_euler::prelude::*;
 

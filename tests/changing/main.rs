@@ -1,4 +1,4 @@
-//! Changing mass and inertia, compared with closed forms and hand-written laws.
+//! Changing mass and inertia, compared with closed forms and laws written by hand.
 
 #[path = "../systems/balances.rs"]
 mod balances;

@@ -1,5 +1,5 @@
-//! Bodies of systems whose mass and inertia change, beside the balances of each body at that instant;
-//! and motions in closed form.
+//! Systems of bodies whose mass and inertia change, compared with the balances of each body at that
+//! instant; and motions in closed form.
 
 use nalgebra::Vector3;
 use newton_euler::body::Impossible;

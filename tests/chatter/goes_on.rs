@@ -1,5 +1,5 @@
-//! What is stiff, steep, tiny or noise, and goes on; what is steeper than the tolerance; and what to
-//! write instead of a law that jumps.
+//! Motions that are stiff, steep, tiny or noisy, and continue; motions that are steeper than the
+//! tolerance; and what to write instead of a law that jumps.
 
 use newton_euler::integrate::{Control, DormandPrince, Integration, Method, TaylorSeries};
 use newton_euler::prelude::*;

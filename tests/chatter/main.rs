@@ -1,7 +1,8 @@
-//! Laws without a value at the place to which they drive a motion. Integration that chatters there
-//! ends, with an error or at its end. A long, stiff or steep motion, whose single steps look alike,
-//! continues to its end. Hundreds of thousands of steps take time without optimization, so
-//! `cargo test` runs DOP853 and series once each, and `cargo test --release` runs all cases.
+//! Laws that have no value at the place to which they drive a motion. If an integration chatters
+//! there, it ends, with an error or at its end time. A long, stiff or steep motion whose single
+//! steps look alike continues to its end. Without optimization, hundreds of thousands of steps take
+//! long, so `cargo test` runs DOP853 and series once each, and `cargo test --release` runs all
+//! cases.
 
 mod goes_on;
 

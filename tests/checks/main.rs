@@ -1,5 +1,5 @@
-//! `checks` that hold, so that this builds. Each is true by a law; their false counterparts
-//! are in `tests/compile_fail/checks/`. The same is computed here in doubles.
+//! `checks` that hold, so that this compiles. Each is true by a law; their false counterparts are
+//! in `tests/compile_fail/checks/`. Here, the same quantities are computed in doubles.
 #![allow(missing_docs, reason = "tests")]
 
 use nalgebra::Vector3;

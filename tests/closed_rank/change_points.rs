@@ -1,5 +1,5 @@
-//! Where linkages fold into a line, the loop does not tell which way they move on: the error of an
-//! integration names it, with the last good state.
+//! Where a linkage folds into a line, the loop does not determine which way it moves on. The error
+//! of an integration says so, with the last good state.
 
 use std::f64::consts::FRAC_PI_2;
 

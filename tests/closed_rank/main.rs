@@ -1,4 +1,4 @@
-//! Linkages whose rows depend on each other in closed states alone.
+//! Linkages whose rows depend on each other only in closed states.
 #![allow(missing_docs)]
 
 mod change_points;

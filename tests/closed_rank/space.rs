@@ -1,4 +1,4 @@
-//! Linkages in space that move though their rows are as many as their joints, or more.
+//! Linkages in space that move although they have as many rows as joints, or more.
 
 use newton_euler::prelude::*;
 

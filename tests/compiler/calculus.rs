@@ -1,4 +1,4 @@
-//! What the constructors promise: simplification, stages, schedule and cost.
+//! What the constructors of nodes guarantee: simplification, stages, schedule and cost.
 
 use mounted::symbolic::{Comparison, Function, Graph, Id, Node, Number, Stage};
 

@@ -1,4 +1,4 @@
-//! Descriptions that tests and the benchmark of the expansion share.
+//! Descriptions that several tests and the benchmark of the expansion use.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};

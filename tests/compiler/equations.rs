@@ -1,4 +1,4 @@
-//! Equations with coefficients of the state, and the chain rule backwards.
+//! Equations whose coefficients depend on the state, and the backward chain rule.
 
 use mounted::symbolic::{Equation, Function, Graph, Id, Node, Number, Size, Stage, free};
 

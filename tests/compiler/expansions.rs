@@ -1,4 +1,4 @@
-//! Expansions as they are read: a few in full, and how long they are.
+//! Expansions in readable form: a few in full, and the lengths of all.
 
 use std::fs;
 use std::path::Path;

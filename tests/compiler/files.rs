@@ -1,4 +1,4 @@
-//! Files that are wrong in any way: there are errors, and never a panic.
+//! Files that are wrong in many ways: they cause errors, and never a panic.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! The compiler from inside.
+//! Tests of the compiler from inside.
 #![allow(missing_docs)]
 #![allow(
     clippy::needless_pass_by_value,

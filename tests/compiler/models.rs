@@ -1,4 +1,4 @@
-//! Files of `MuJoCo` that are wrong, each with what is said of it; and such files damaged at random.
+//! `MuJoCo` files that are wrong, each with its error message; and such files damaged at random.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Exact numbers: literals, the one rounding, functions to 256 bits.
+//! Exact numbers: literals, the single rounding, functions to 256 bits.
 
 use mounted::symbolic::{Function, Number};
 

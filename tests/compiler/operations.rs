@@ -1,5 +1,5 @@
-//! Every operation of the graph through one table: the simplifying constructors against plain
-//! arithmetic, the interpreter, and the derivative against differences.
+//! Every operation of the graph, from one table: the simplifying constructors are compared with
+//! plain arithmetic and the interpreter, and the derivatives with finite differences.
 
 use mounted::symbolic::{Comparison, Function, Graph, Id, Number, Stage};
 

@@ -1,4 +1,5 @@
-//! The descriptions that files amount to, as text: `BLESS=1` writes down what is compiled again.
+//! The descriptions that files are turned into, as text. `BLESS=1` writes files that are compiled
+//! again.
 
 use std::fs;
 use std::path::{Path, PathBuf};

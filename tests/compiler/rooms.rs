@@ -1,4 +1,5 @@
-//! The house of the compiler: which room may import which, and no circles inside of one.
+//! The structure of the compiler: which room may import which, and that no files in a room form a
+//! cycle.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

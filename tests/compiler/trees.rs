@@ -1,4 +1,5 @@
-//! Trees of bodies: accelerations beside references of 20 digits, and how many operations they take.
+//! Trees of bodies: accelerations compared with references of 20 digits, and the operations that
+//! they take.
 
 use serde_json::Value;
 

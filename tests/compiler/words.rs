@@ -1,4 +1,4 @@
-//! Units, powers and numbers near the ends of their domains, by what the compiler says of them.
+//! Units, powers and numbers near the ends of their domains, and what the compiler says about them.
 
 use crate::expand_description;
 

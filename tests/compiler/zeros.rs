@@ -1,4 +1,4 @@
-//! The test for zeros: what it proves, and what it must not.
+//! The test for zeros: what it proves, and what it must not prove.
 
 use quote::{format_ident, quote};
 

@@ -1,5 +1,5 @@
-//! `outputs: [constant]`: accelerations in constants, each claim decided by rustc, and the same at run
-//! time.
+//! `outputs: [constant]`: accelerations in constants. rustc decides each claim, and the same is
+//! computed at run time.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use newton_euler::prelude::*;

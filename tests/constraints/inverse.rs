@@ -1,4 +1,5 @@
-//! Inverse dynamics: the drives of a given motion put it back, and the published torque of M1.
+//! Inverse dynamics: the drives of a given motion produce that motion again; and the published
+//! torque of M1.
 #![allow(missing_docs)]
 
 use nalgebra::{UnitQuaternion, Vector3};

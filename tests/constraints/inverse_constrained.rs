@@ -1,4 +1,5 @@
-//! Inverse dynamics under constraints and of rods: the drives that made a motion are found again from it.
+//! Inverse dynamics under constraints and of rods: the drives that produced a motion are found
+//! again from the motion.
 
 use nalgebra::{UnitQuaternion, UnitVector3, Vector2, Vector3};
 use newton_euler::prelude::*;

@@ -1,5 +1,5 @@
-//! Inverse dynamics of drives whose directions turn against the body: drives make a motion by vector
-//! code, and are found again from it.
+//! Inverse dynamics with drives whose directions rotate relative to the body. Vector code makes a
+//! motion from the drives, and the drives are found again from the motion.
 #![allow(missing_docs)]
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector2, Vector3};

@@ -1,4 +1,5 @@
-//! Constraints over time: projection, inconsistent states, singular configurations; and the same body derived twice.
+//! Constraints over time: projection, inconsistent states, singular configurations; and the same
+//! body derived in two ways.
 
 use nalgebra::{Rotation2, Vector2};
 use newton_euler::integrate::{self, IntegrationError};

@@ -1,8 +1,9 @@
 //! Constraints in the plane: published numbers, closed forms and second derivations.
 //!
-//! Accelerations and reactions are compared in consistent states, to 1e-13 of their size: a chain of some twenty roundings
-//! through divisors that are not near zero. Nothing expected comes from generated code, but for the pendulum, which is
-//! derived twice, with a pin as a constraint and with a pin as a support.
+//! Accelerations and reactions are compared in consistent states, to 1e-13 of their size: a chain
+//! of about twenty roundings, through divisors that are not near zero. No expected number comes
+//! from generated code, except for the pendulum. That is derived in two ways: with a pin as a
+//! constraint, and with a pin as a support.
 
 use nalgebra::{Rotation2, Vector2};
 use newton_euler::operations::{Operations, Stage};

@@ -1,8 +1,10 @@
-//! The symbolic derivatives of constraints against differences in time, for expressions of every kind.
+//! The symbolic derivatives of constraints, compared with differences in time, for expressions of
+//! every kind.
 //!
-//! In any state, consistent or not, the rate of a constraint of positions is what it changes by as the state moves with its
-//! velocities, and with the accelerations that the reactions make nothing changes that rate: `g' = h`, `h' = 0`. Central
-//! differences over 2e-5 s are good to 1e-10 of third derivatives, and to 1e-11 by rounding; both are of the order of 10.
+//! In any state, consistent or not, the rate of a constraint of positions is its change as the
+//! state moves with its velocities, and the accelerations that the reactions cause leave this rate
+//! unchanged: `g' = h`, `h' = 0`. Central differences over 2e-5 s are accurate to 1e-10 of third
+//! derivatives, and to 1e-11 because of rounding; both are of the order of 10.
 
 use newton_euler::{nalgebra, prelude::*};
 use proptest::prelude::*;

@@ -1,4 +1,5 @@
-//! Constraints in space: a fixed point derived twice, rolling balls, and two nonholonomic tops.
+//! Constraints in space: a fixed point derived in two ways, rolling balls, and two nonholonomic
+//! tops.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::{integrate, prelude::*};

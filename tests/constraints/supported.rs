@@ -1,4 +1,5 @@
-//! Constraints beside a support: the same scenes with the support as a constraint, and known motions.
+//! Constraints together with a support: the same scenes with the support as a constraint, and known
+//! motions.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::prelude::*;

@@ -1,5 +1,5 @@
-//! A ball on a turntable goes round in a circle, at 2/7 of the rate of the table (Weckesser, *A ball
-//! rolling on a freely spinning turntable*), so long as the rate is given.
+//! A ball on a turntable moves in a circle at 2/7 of the rate of the table, if that rate is given
+//! (Weckesser, *A ball rolling on a freely spinning turntable*).
 
 use newton_euler::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Random states of every motion, from one set of coordinates.
+//! Random states for every kind of motion, from one set of coordinates.
 #![allow(dead_code, reason = "each test uses its part")]
 
 use nalgebra::{UnitQuaternion, Vector3};

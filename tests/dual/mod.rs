@@ -1,4 +1,5 @@
-//! Numbers that carry two first derivatives and the mixed second one, and Lagrange's equations by them.
+//! Numbers that carry two first derivatives and the mixed second one, and Lagrange's equations with
+//! these numbers.
 #![allow(dead_code, reason = "each test uses its part")]
 
 use std::ops::{Add, Mul, Neg, Sub};

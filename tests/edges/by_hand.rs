@@ -1,4 +1,4 @@
-//! What the runtime has for use by hand.
+//! The parts of the runtime that users call directly.
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use newton_euler::Scalar;

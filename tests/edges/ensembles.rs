@@ -1,4 +1,4 @@
-//! Of many bodies at once, one that is lost does not touch the others.
+//! Many bodies at once: one whose motion fails does not affect the others.
 
 use newton_euler::ensemble::Ensemble;
 use newton_euler::integrate::{Classical4, Fixed, IntegrationError};

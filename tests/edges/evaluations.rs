@@ -1,4 +1,4 @@
-//! What is not a number goes through every evaluation that reads it.
+//! A NaN propagates through every evaluation that reads it.
 
 use newton_euler::columns::{Columnar, Columns, Sink, Source};
 use newton_euler::prelude::*;

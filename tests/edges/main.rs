@@ -1,7 +1,7 @@
-//! NaN and infinite numbers: their effect, and that every call terminates.
+//! NaN and infinite numbers: what they do, and that every call terminates.
 //!
-//! Evaluations propagate them; integration reports them, with the last good state. `docs/trust.md`
-//! has the rules.
+//! Evaluations propagate them. Integrations report them, with the last good state. The rules are in
+//! `docs/trust.md`.
 
 #![allow(clippy::float_cmp, reason = "the same to the bit")]
 #![allow(clippy::result_large_err, reason = "errors hold a state")]

@@ -1,4 +1,4 @@
-//! What integrates returns errors, soon, for whatever it is given.
+//! Integrations return errors, and soon, whatever they are given.
 
 use newton_euler::integrate::{
     Classical4, ClosedForm, DormandPrince, DormandPrince8, Fixed, IntegrationError, Method,

@@ -1,4 +1,4 @@
-//! What is seen of a motion, for functions and periods that are none.
+//! Observations of a motion, with functions and periods that are invalid.
 
 use newton_euler::integrate::{Event, IntegrationError, Motion};
 use newton_euler::prelude::*;

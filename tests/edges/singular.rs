@@ -1,4 +1,5 @@
-//! Where constraints do not determine their reactions: nothing panics, and what integrates says so.
+//! States in which constraints do not determine their reactions: nothing panics, and integrations
+//! report it.
 
 use newton_euler::integrate::{Classical4, DormandPrince, Fixed, IntegrationError, Projected};
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! The words that editors know are those of the compiler. `check.py` beside this file asks an
+//! The words that editors know are those of the compiler. `check.py`, next to this file, asks an
 //! editor for them.
 
 use std::collections::BTreeSet;

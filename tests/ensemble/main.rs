@@ -1,4 +1,4 @@
-//! Ensembles: each member moves as it would alone, to the bit.
+//! Ensembles: each member moves as it would alone, bit for bit.
 
 use std::fmt::Debug;
 

@@ -1,4 +1,4 @@
-//! Sines and cosines in lanes have the bits that they have alone, at every angle.
+//! Sines and cosines in lanes have the same bits as those computed alone, at every angle.
 
 use std::f64::consts::FRAC_PI_4;
 

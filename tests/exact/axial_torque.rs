@@ -1,4 +1,5 @@
-//! A constant couple along the axis of a symmetric body, in closed form: 25-digit references, group, limits, axes and scales.
+//! A constant couple along the axis of a symmetric body, in closed form: 25-digit references, the
+//! group property, limits, axes and scales.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use crate::reference::turning::{Turning, axial_torques, error};

@@ -1,4 +1,5 @@
-//! Elliptic functions and the integral of the third kind against identities that their algorithms do not use.
+//! Elliptic functions and the integral of the third kind, compared with identities that their
+//! algorithms do not use.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use newton_euler::exact::{Elliptic, Jacobi, r_j};

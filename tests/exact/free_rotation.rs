@@ -1,5 +1,5 @@
-//! Free rotation in closed form: 40-digit references, what is conserved, group and symmetry, near the separatrix and far from
-//! one.
+//! Free rotation in closed form: 40-digit references, conserved quantities, the group property and
+//! symmetry, near a separatrix and far from it.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use crate::reference::turning::error;

@@ -1,4 +1,5 @@
-//! Lagrange's top in closed form: 25-digit references, what is conserved, group, near the vertical and the separatrix.
+//! Lagrange's top in closed form: 25-digit references, conserved quantities, the group property,
+//! near the vertical and near the separatrix.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use crate::reference::turning::{Turning, error, tops};

@@ -1,4 +1,4 @@
-//! The runtime alone: motions in closed form.
+//! The runtime without the macro: motions in closed form.
 
 mod axial_torque;
 mod elliptic;

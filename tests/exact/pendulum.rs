@@ -1,4 +1,5 @@
-//! The plane pendulum in closed form: 40-digit references, energy, near the separatrix and beyond it.
+//! The plane pendulum in closed form: 40-digit references, energy, near the separatrix and beyond
+//! it.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

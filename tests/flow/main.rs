@@ -1,4 +1,5 @@
-//! `outputs: [flow]`: every motion that has a closed form, against an integrator in small steps, and against itself.
+//! `outputs: [flow]`: every motion that has a closed form, compared with an integrator in small
+//! steps, and with itself.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 mod scenes;

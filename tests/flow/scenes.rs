@@ -1,4 +1,4 @@
-//! A body of each kind that has a closed form.
+//! One body of each kind that has a closed form.
 
 use newton_euler::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Rust constants and functions in descriptions, compared with the same laws by hand.
+//! Rust constants and functions in descriptions, compared with the same laws written by hand.
 
 mod slopes;
 

@@ -1,4 +1,4 @@
-//! Functions whose derivatives have derivatives: potentials and constraints that are linearized.
+//! Functions with second derivatives: potentials and constraints that are linearized.
 
 use newton_euler::prelude::*;
 

@@ -1,5 +1,6 @@
-//! Systems in closed form: gyrostats, and parts that know nothing of each other, against the laws of Newton and Euler in 40-digit
-//! arithmetic, conserved momenta, Taylor series, and bodies alone.
+//! Systems in closed form: gyrostats, and parts that do not affect each other. They are compared
+//! with Newton's and Euler's laws in 40-digit arithmetic, conserved momenta, Taylor series, and
+//! single bodies.
 
 #[path = "../reference/mod.rs"]
 mod reference;

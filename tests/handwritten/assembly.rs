@@ -1,4 +1,5 @@
-//! A joint of every kind, with accelerations that are any smooth functions of all of them.
+//! One joint of every kind, with accelerations that are arbitrary smooth functions of all
+//! coordinates.
 
 use newton_euler::Scalar;
 use newton_euler::columns::{Columns, Generic, Sink, Source};

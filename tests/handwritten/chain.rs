@@ -1,4 +1,5 @@
-//! Twenty carts in a row between two walls, with springs: forty coordinates, a motion in closed form.
+//! Twenty carts in a row between two walls, connected by springs: a state of forty numbers, and a
+//! motion in closed form.
 
 use std::f64::consts::PI;
 

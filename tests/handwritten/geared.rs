@@ -1,4 +1,4 @@
-//! Two wheels under a constraint, `sin a + 3 b = 0`.
+//! Two wheels under the constraint `sin a + 3 b = 0`.
 
 use newton_euler::constrained::{Constrained, Inconsistent, Violation};
 use newton_euler::integrate::{DormandPrince, Projected};

@@ -1,4 +1,4 @@
-//! Systems with hand-written equations, on the states that `rigid_system!` makes.
+//! Systems with hand-written equations, for the states that `rigid_system!` makes.
 #![allow(dead_code, unused_imports, reason = "each test uses its part")]
 
 mod assembly;

@@ -1,4 +1,4 @@
-//! Two bars, one hanging from the other.
+//! Two bars, one of which hangs from the other.
 
 use newton_euler::Scalar;
 use newton_euler::columns::{Columns, Generic, Sink, Source};

@@ -1,4 +1,5 @@
-//! H15, H17, H18: constraints over time, where they cannot be solved, and in mixed scales.
+//! H15, H17, H18: constraints over time, constraints that cannot be solved, and constraints in
+//! mixed scales.
 
 use std::f64::consts::FRAC_PI_2;
 

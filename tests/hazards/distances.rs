@@ -1,4 +1,4 @@
-//! H3, H3b: what is far from where it is measured from.
+//! H3, H3b: bodies far from the point that they are described from.
 
 use dashu_ratio::RBig;
 use nalgebra::{Matrix3, Vector3};

@@ -1,4 +1,4 @@
-//! Exact rationals and numbers of 400 bits, and how far doubles are from them.
+//! Exact rationals and numbers of 400 bits, and the errors of doubles compared with them.
 
 use dashu_float::{FBig, round::mode::HalfEven};
 use dashu_ratio::RBig;

@@ -1,8 +1,8 @@
-//! Arithmetic hazards in rigid-body dynamics, H1 to H20: for each, the error of the straightforward
-//! formula and that of the library, through the macro and through the runtime.
+//! Arithmetic hazards in rigid-body dynamics, H1 to H20. For each, the error of the straightforward
+//! formula, and that of the library through the macro and through the runtime.
 //!
 //! A hazard is a function that returns [`Record`]s. Each record must stay within its limit. Where
-//! the straightforward formula is known to fail, it must fail: otherwise the case would test
+//! the straightforward formula is known to fail, it must fail; otherwise the case would test
 //! nothing.
 //!
 //! ```text

@@ -1,4 +1,4 @@
-//! H20: plane bodies, whose moments fit to the last digit.
+//! H20: flat bodies with decimal moments, of which the largest is the sum of the other two.
 
 use nalgebra::Vector3;
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! H4, H5, H6: attitudes, their exponential and their logarithm.
+//! H4, H5, H6: attitudes, and their exponential and logarithm.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! The classical method, on coordinates as they come.
+//! The classical Runge-Kutta method, applied to the coordinates without any care for attitudes.
 
 use std::ops::{Add, Mul};
 

@@ -1,4 +1,4 @@
-//! H8, H8b: rotation about the intermediate axis, and what rounding makes of it.
+//! H8, H8b: rotation about the intermediate axis, and how rounding affects it.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! What was tried, and how it is shown.
+//! The records of the hazards, and how they are printed.
 
 /// What the straightforward formula does in a case.
 pub enum Straightforward {

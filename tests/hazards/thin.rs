@@ -1,4 +1,4 @@
-//! H1: bodies with next to no moment of inertia about one axis.
+//! H1: bodies with almost no moment of inertia about one axis.
 
 use dashu_ratio::RBig;
 use nalgebra::{Matrix3, Unit, Vector3};

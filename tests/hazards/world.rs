@@ -1,4 +1,4 @@
-//! H9, H9b: small things far from the origin of the world.
+//! H9, H9b: small bodies far from the origin of the world.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::integrate::{self, Classical4, Fixed, Motion};

@@ -1,4 +1,4 @@
-//! H13, H14: what a system of forces comes down to, and what a uniform field does to charges that cancel.
+//! H13, H14: the reduction of a system of forces, and uniform fields on charges that cancel.
 
 use dashu_ratio::RBig;
 use nalgebra::Vector3;

@@ -1,4 +1,5 @@
-//! What ends a motion, with the last state that is good: values, no panics, and nothing runs for ever.
+//! What ends a motion, with the last good state: errors are values, nothing panics, and nothing
+//! runs forever.
 
 use newton_euler::integrate::{Classical4, DormandPrince8, Fixed, IntegrationError, Midpoint};
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! Inputs that are held, and controllers.
+//! Inputs that are held constant, and controllers.
 
 use newton_euler::integrate::{Classical4, Fixed};
 use newton_euler::prelude::*;

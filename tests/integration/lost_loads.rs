@@ -1,4 +1,4 @@
-//! A motion that is not finite says which load is to blame.
+//! If a motion is not finite, the error names the load that caused it.
 
 use newton_euler::ensemble::Ensemble;
 use newton_euler::integrate::{Classical4, DormandPrince, Fixed, IntegrationError, taylor};

@@ -1,4 +1,5 @@
-//! `body.integrate(state)`: every method against closed forms and 40-digit trajectories, samples, events, inputs, errors.
+//! `body.integrate(state)`: every method compared with closed forms and 40-digit trajectories;
+//! samples, events, inputs and errors.
 
 #![allow(clippy::float_cmp, reason = "the same to the bit")]
 

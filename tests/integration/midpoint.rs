@@ -1,4 +1,4 @@
-//! What the midpoint rule keeps: for a hundred thousand frames, in steps that are not small.
+//! What the midpoint rule conserves over a hundred thousand frames, in steps that are not small.
 
 use newton_euler::integrate::{Classical4, Fixed, IntegrationError, Midpoint};
 use newton_euler::prelude::*;

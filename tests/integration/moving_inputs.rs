@@ -1,4 +1,5 @@
-//! Inputs that are given with their rate and acceleration: constraints follow them, and between two controls they go on.
+//! Inputs that are given with their rate and acceleration: constraints follow them, and they
+//! continue between two control steps.
 
 use newton_euler::ensemble::Ensemble;
 use newton_euler::integrate::{Classical4, Fixed, Projected, cf4_projected};

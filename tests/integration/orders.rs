@@ -1,4 +1,4 @@
-//! Each method has its order, and every body comes to the same end by each of them.
+//! Each method has its order, and every body reaches the same end with each of them.
 
 use newton_euler::integrate::{
     Classical4, DormandPrince, DormandPrince8, Embedded, Equations, Fixed, Midpoint, Motion,

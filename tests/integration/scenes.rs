@@ -1,4 +1,4 @@
-//! The bodies, with each of the methods as their best.
+//! The bodies; each method is the default of one of them.
 
 use nalgebra::Vector3;
 use newton_euler::prelude::*;

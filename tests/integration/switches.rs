@@ -1,4 +1,5 @@
-//! Conditions on time: steps end where they switch, and each is taken with the equations of its own side. Beside closed forms, to rounding.
+//! Conditions on time: steps end where a condition switches, and each step is taken with the
+//! equations of its own side. Compared with closed forms, to rounding.
 
 use newton_euler::ensemble::Ensemble;
 use newton_euler::integrate::{

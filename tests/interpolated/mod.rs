@@ -1,4 +1,4 @@
-//! The values of tables: lines, and Hermite's cubics with the slopes of Fritsch and Carlson.
+//! The values of tables: straight lines, and Hermite cubics with the slopes of Fritsch and Carlson.
 
 use std::ops::{Add, Div, Mul, Sub};
 

@@ -1,4 +1,5 @@
-//! Numbers with three small parts whose squares are zero: exact derivatives, one along each.
+//! Numbers with three infinitesimal parts whose squares are zero: exact derivatives, one along each
+//! part.
 
 use std::ops::{Add, Mul, Neg, Sub};
 

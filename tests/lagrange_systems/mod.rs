@@ -4,10 +4,10 @@
 //! d/dt dT/dq' - dT/dq = Q        T(q, q') = sum of (m v^2 + w . J w) / 2
 //! ```
 //!
-//! Derivatives are exact, by jets: positions are jets in time, so velocities are their slopes, and
-//! these are jets in the coordinates and rates. A free rotation has its own chart about its
-//! state, `R = R_0 exp(x)`: there `x' = w` and `x'' = w'`, in the axes of the carried body, so
-//! Lagrange's equations along x are the balances of moments along these axes.
+//! Derivatives are exact, by jets. Positions are jets in time, so velocities are their slopes, and
+//! these are jets in the coordinates and rates. A free rotation has its own chart about its state,
+//! `R = R_0 exp(x)`. There `x' = w` and `x'' = w'`, in the axes of the carried body, so Lagrange's
+//! equations along x are the balances of moments along these axes.
 
 pub mod jet;
 

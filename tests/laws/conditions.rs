@@ -1,4 +1,4 @@
-//! Conditions of parameters alone, between values of the state.
+//! Conditions on parameters alone, which select between values that depend on the state.
 
 use newton_euler::prelude::*;
 

@@ -1,4 +1,4 @@
-//! What a motion conserves, and what changes it otherwise.
+//! What a motion conserves, and what changes it if it is not conserved.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::{UnitQuaternion, Vector2, Vector3};

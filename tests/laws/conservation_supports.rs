@@ -1,4 +1,5 @@
-//! What the motion about a support conserves, and the laws of momentum with the reactions of the support.
+//! What a motion about a support conserves, and the laws of momentum with the reactions of the
+//! support.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::{integrate::cf4, prelude::*};

@@ -1,4 +1,5 @@
-//! What must not depend on the observer: turned worlds, turned body axes, moving frames, far origins.
+//! What must not depend on the observer: rotated worlds, rotated body axes, moving frames, distant
+//! origins.
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use newton_euler::prelude::*;

@@ -1,4 +1,5 @@
-//! A planar body with an offset load, derived a second time by Lagrange, in coordinates of a point off the center.
+//! A planar body with an offset load, derived a second time by Lagrange's method, in the
+//! coordinates of a point that is not the center of mass.
 
 use nalgebra::Vector2;
 use newton_euler::prelude::*;

@@ -1,4 +1,5 @@
-//! The pole is a choice of the writer: it changes the moments, by the pole law, and never the motion.
+//! The pole is a free choice in a description: it changes the moments, by the pole law, but never
+//! the motion.
 
 use nalgebra::Vector3;
 use newton_euler::prelude::*;

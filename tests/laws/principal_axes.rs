@@ -1,5 +1,5 @@
-//! Constant tensors whose principal axes are not the body's, against Euler's equations solved in exact rational
-//! arithmetic.
+//! Constant tensors whose principal axes are not the body axes, compared with Euler's equations
+//! solved in exact rational arithmetic.
 
 use dashu_ratio::RBig;
 use nalgebra::Vector3;

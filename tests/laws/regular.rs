@@ -1,5 +1,6 @@
-//! Equations that are regular, though any of their coefficients may vanish: directions that parameters
-//! or inputs give, attitudes that put an axis across another. The oracle is nalgebra's inverse.
+//! Equations that are regular although any of their coefficients may vanish: directions that
+//! parameters or inputs give, and attitudes that make one axis perpendicular to another. The oracle
+//! is nalgebra's inverse.
 
 use nalgebra::{Matrix2, Matrix3, UnitQuaternion, Vector2, Vector3};
 use newton_euler::prelude::*;

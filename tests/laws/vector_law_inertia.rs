@@ -1,4 +1,5 @@
-//! Bodies of every kind of inertia, turning free or about G alone, against Euler's law written by hand.
+//! Bodies with every kind of inertia, moving freely or rotating about G, compared with Euler's law
+//! written by hand.
 
 use nalgebra::{Matrix3, Vector3};
 use newton_euler::prelude::*;

@@ -1,4 +1,5 @@
-//! Bodies in the plane, and bodies that do not turn, against the vector law written by hand with nalgebra.
+//! Bodies in the plane, and bodies that do not rotate, compared with the vector law written by hand
+//! with nalgebra.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::{Rotation2, SVector, Vector2, Vector3};

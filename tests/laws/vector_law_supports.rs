@@ -1,5 +1,6 @@
-//! Bodies held by a pivot, a fixed point and a fixed axis against the vector law written by hand with nalgebra:
-//! accelerations from the moments about the support, reactions from both balances.
+//! Bodies held by a pivot, a fixed point or a fixed axis, compared with the vector law written by
+//! hand with nalgebra: accelerations from the moments about the support, reactions from both
+//! balances.
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector2, Vector3};
 use newton_euler::prelude::*;

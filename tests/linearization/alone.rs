@@ -1,5 +1,5 @@
-//! Bodies that nothing joins to others, in systems: their derivatives beside dual numbers, in as many
-//! operations as those of single bodies.
+//! Bodies in systems that are not joined to others: their derivatives are compared with dual
+//! numbers, and take as many operations as those of single bodies.
 
 use crate::oracle::{Derived, hold, unmoved};
 use nalgebra::{UnitQuaternion, Vector3};

@@ -1,4 +1,4 @@
-//! Linearisations of bodies of every kind beside dual numbers.
+//! Linearizations of bodies of every kind, compared with dual numbers.
 
 use nalgebra::{Unit, UnitQuaternion, Vector2, Vector3};
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! Steady motions of what runs down meanwhile.
+//! Steady motions of bodies in which something runs down meanwhile.
 
 use newton_euler::linearization::TrimError;
 use newton_euler::prelude::*;

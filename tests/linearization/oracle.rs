@@ -1,4 +1,4 @@
-//! The derivatives of the motion by dual numbers, through the generic body.
+//! The derivatives of a motion with dual numbers, through the generic body.
 
 use newton_euler::Dual;
 use newton_euler::linearization::Linearized;

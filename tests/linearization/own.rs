@@ -1,4 +1,4 @@
-//! Linearisations of what has states of its own, beside dual numbers.
+//! Linearizations of bodies with user-defined states, compared with dual numbers.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::prelude::*;

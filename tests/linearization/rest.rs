@@ -1,4 +1,5 @@
-//! Norms that are zero: quadratic drag at rest, whose slopes are zero there; and turned vectors whose components are equal.
+//! Norms that are zero: quadratic drag at rest, whose slopes are zero there; and rotated vectors
+//! with equal components.
 
 use nalgebra::{Matrix3, Vector3};
 use newton_euler::prelude::*;

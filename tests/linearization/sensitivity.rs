@@ -1,4 +1,4 @@
-//! Derivatives by parameters beside dual numbers.
+//! Derivatives with respect to parameters, compared with dual numbers.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::columns::{Columns, Generic, Sink, Source};

@@ -1,4 +1,4 @@
-//! Linearisations of systems beside dual numbers.
+//! Linearizations of systems, compared with dual numbers.
 
 use crate::oracle::{Derived, hold, unmoved};
 use nalgebra::{UnitQuaternion, Vector3};

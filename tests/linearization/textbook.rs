@@ -1,6 +1,6 @@
-//! The modes of the example `level_turn` by the textbook's linear equations of an aeroplane, whose
-//! derivatives are made of the coefficients by hand (Nelson, Flight Stability and Automatic
-//! Control, tables 3.5 and 3.6): they share nothing with the compiler.
+//! The modes of the example `level_turn`, from the textbook's linear equations of an aeroplane.
+//! Their derivatives are computed from the coefficients by hand (Nelson, Flight Stability and
+//! Automatic Control, tables 3.5 and 3.6), and share nothing with the compiler.
 
 use nalgebra::{Matrix4, Vector4};
 

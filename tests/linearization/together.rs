@@ -1,5 +1,6 @@
-//! Nearly all that a description can say in one system: states of its own, mass that changes, functions, tables, loads that
-//! follow accelerations, cables, potentials, armatures. Its derivatives beside differences.
+//! Almost everything that a description can contain, in one system: user-defined states, changing
+//! mass, functions, tables, loads that depend on accelerations, cables, potentials, armatures. Its
+//! derivatives are compared with finite differences.
 
 use newton_euler::prelude::*;
 use newton_euler::state::Coordinates;

@@ -1,4 +1,4 @@
-//! Steady motions and equilibria against those by hand.
+//! Steady motions and equilibria, compared with those found by hand.
 
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
 use newton_euler::linearization::TrimError;

@@ -1,4 +1,4 @@
-//! Equilibria of systems and their modes, against those by hand.
+//! Equilibria of systems and their modes, compared with those found by hand.
 
 use newton_euler::prelude::*;
 

@@ -1,7 +1,7 @@
-//! Maps of attitudes hold their accuracy everywhere: H4, H5, H6 of the hazards.
+//! Maps of attitudes are accurate everywhere: hazards H4, H5, H6.
 //!
-//! Oracles: the platform's sine and cosine about coordinate axes (another implementation than the library's), and the
-//! vector law of rotation by Rodrigues.
+//! The oracles are the platform's sine and cosine about coordinate axes, which are not the
+//! library's, and the vector law of rotation by Rodrigues.
 
 use std::f64::consts::PI;
 

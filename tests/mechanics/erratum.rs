@@ -1,4 +1,5 @@
-//! The erratum of (1.9): every number of it, of the completed equation and of the equation as printed.
+//! The erratum of (1.9): all of its numbers, for the completed equation and for the equation as
+//! printed.
 //!
 //! The printed equation exists only here.
 

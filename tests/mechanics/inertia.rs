@@ -1,4 +1,5 @@
-//! Inertia tensors against sums over mass points, at all scales, and what is refused.
+//! Inertia tensors, compared with sums over mass points at all scales; and the tensors that are
+//! rejected.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};

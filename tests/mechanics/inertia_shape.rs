@@ -1,4 +1,4 @@
-//! Kinds of bodies by their tensor: symmetry and extent, in any axes and at any scale.
+//! The kinds of bodies that tensors belong to: symmetry and extent, in any axes and at any scale.
 
 #![allow(
     clippy::float_cmp,

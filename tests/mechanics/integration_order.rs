@@ -1,4 +1,5 @@
-//! The method CF4: order four in every coordinate, against closed forms and 40-digit trajectories.
+//! The method CF4 has order four in every coordinate, compared with closed forms and 40-digit
+//! trajectories.
 #![allow(clippy::cast_precision_loss, reason = "numbers of steps")]
 
 use std::ops::Range;

@@ -1,4 +1,4 @@
-//! The runtime alone: inertia, wrenches, attitudes, tops, fields, states as text.
+//! The runtime without the macro: inertia, wrenches, attitudes, tops, fields, states as text.
 
 mod attitude;
 mod erratum;

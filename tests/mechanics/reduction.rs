@@ -1,4 +1,4 @@
-//! Reduction of wrenches: F17, F18, the four cases, every size (H13).
+//! Reduction of wrenches: F17, F18, the four cases, at every scale (H13).
 
 #![allow(
     clippy::float_cmp,

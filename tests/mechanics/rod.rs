@@ -1,4 +1,4 @@
-//! The slender rod and the hinge: states of five and of one degree of freedom.
+//! The slender rod and the hinge: states with five degrees of freedom and with one.
 
 #![allow(
     clippy::float_cmp,

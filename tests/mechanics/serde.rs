@@ -1,4 +1,4 @@
-//! What is written is read back bit for bit; what cannot be is refused.
+//! Serialized values are read back bit for bit; impossible values are rejected.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::{UnitQuaternion, Vector2, Vector3};

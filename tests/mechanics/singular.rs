@@ -1,4 +1,4 @@
-//! The guard of divisions by what depends on the configuration.
+//! The guard of divisions by values that depend on the configuration.
 
 #![allow(
     clippy::float_cmp,

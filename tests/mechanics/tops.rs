@@ -1,4 +1,5 @@
-//! Steady precession: F12, M7, against integration, at thresholds, after a long time (H19).
+//! Steady precession: F12 and M7, compared with integration, at thresholds, and after a long time
+//! (H19).
 
 #![allow(
     clippy::float_cmp,

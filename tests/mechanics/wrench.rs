@@ -1,4 +1,4 @@
-//! Wrenches: resultants, change of pole, power; F04, F05, F17 and the dipole of F19.
+//! Wrenches: resultants, changes of the pole, power; F04, F05, F17 and the dipole of F19.
 
 use nalgebra::{Vector2, Vector3};
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! The files of this folder.
+//! Descriptions of the files in this folder.
 
 use newton_euler::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Systems from files of `MuJoCo`, compared with its own results: `reference.py`.
+//! Systems from `MuJoCo` files, compared with the results of `MuJoCo` itself (`reference.py`).
 #![allow(missing_docs)]
 
 mod described;

@@ -1,4 +1,5 @@
-//! Operations of generated code, counted: they are no more than by hand, and numbers written into a description never cost more than the same numbers as parameters.
+//! Counts of the operations of generated code. They are no more than by hand, and numbers written
+//! into a description never cost more than the same numbers as parameters.
 #![allow(missing_docs)]
 
 use newton_euler::operations::{Operations, Stage};

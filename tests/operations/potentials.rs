@@ -1,4 +1,5 @@
-//! What a potential does not depend on is not there, and what it does costs what it costs by hand.
+//! Variables that a potential does not contain cost nothing, and those that it contains cost as
+//! much as by hand.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::Vector3;

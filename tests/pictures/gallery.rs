@@ -1,4 +1,4 @@
-//! The gallery of the guide: rustdoc shows the pictures in `docs`, as data.
+//! The gallery of the guide: rustdoc shows the pictures in `docs` as embedded data.
 
 use std::fmt::Write as _;
 use std::fs;

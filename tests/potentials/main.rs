@@ -1,4 +1,5 @@
-//! Potentials: forces and moments against published numbers, against differences of the energy, and the energy itself.
+//! Potentials: forces and moments compared with published numbers and with differences of the
+//! energy; and the energy itself.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::{UnitQuaternion, Vector2, Vector3};

@@ -1,4 +1,4 @@
-//! Whipple's bicycle: the modes of riding upright next to the published ones of the benchmark
+//! Whipple's bicycle: the modes of upright riding, compared with those published for the benchmark
 //! (J. P. Meijaard, J. M. Papadopoulos, A. Ruina, A. L. Schwab, Linearized dynamics equations for
 //! the balance and steer of a bicycle, Proc. R. Soc. A 463, 2007, 1955: its parameters, and the
 //! eigenvalues at 5 m/s).

@@ -1,4 +1,4 @@
-//! A car on two wheels, one in front and one behind, with tyres by H. Pacejka's formula.
+//! A car on two wheels, one at the front and one at the rear, with tyres by H. Pacejka's formula.
 
 use newton_euler::nalgebra::Matrix2;
 use newton_euler::prelude::*;

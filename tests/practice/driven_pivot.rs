@@ -1,4 +1,5 @@
-//! A pendulum whose pivot is shaken: upside down it stands where it is shaken fast enough (P. L. Kapitza, 1951).
+//! A pendulum whose pivot is shaken. If it is shaken fast enough, it stands upside down (P. L.
+//! Kapitza, 1951).
 
 use newton_euler::prelude::*;
 

@@ -1,4 +1,4 @@
-//! A gyroscope in gimbals, with a weight on the inner one.
+//! A gyroscope in gimbals, with a weight on the inner gimbal.
 
 use newton_euler::prelude::*;
 

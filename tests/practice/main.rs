@@ -1,6 +1,8 @@
-//! Bodies of practice, each described in at most 45 lines, and what is known of their motion without the macro.
+//! Bodies from practice, each described in at most 45 lines, and what is known of their motion
+//! without the macro.
 //!
-//! Fifteen things that engineers write, by their words; those that are examples or recipes are there, with what they assert.
+//! These are fifteen things that engineers model, in their own words. Those that are examples or
+//! recipes are tested there.
 #![allow(missing_docs, reason = "tests")]
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 

@@ -1,4 +1,4 @@
-//! Where thrown balls come down that are thrown with errors: many runs, and a table of them in a file.
+//! Where balls land that are thrown with errors: many runs, and a table of them in a file.
 
 use std::fmt::Write as _;
 

@@ -1,4 +1,5 @@
-//! A satellite with three wheels and magnetorquers: the wheels hold it, the magnetorquers take out of them what they have gathered.
+//! A satellite with three wheels and magnetorquers: the wheels hold its attitude, and the
+//! magnetorquers remove the momentum that the wheels have gathered.
 
 use newton_euler::nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::prelude::*;

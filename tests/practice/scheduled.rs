@@ -1,4 +1,4 @@
-//! Loads by a schedule: the thrust curve of a model rocket's motor, a delay, a parachute.
+//! Loads that follow a schedule: the thrust curve of a model rocket's motor, a delay, a parachute.
 
 use newton_euler::prelude::*;
 

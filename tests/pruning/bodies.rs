@@ -1,4 +1,4 @@
-//! A body for each rule.
+//! One body for each rule.
 
 use newton_euler::rigid_body;
 

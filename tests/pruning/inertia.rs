@@ -1,4 +1,4 @@
-//! Rules of the inertia.
+//! Pruning rules for the inertia.
 
 use crate::AT_G;
 use crate::reference::{Body, Scene, World, moment, principal};

@@ -1,4 +1,4 @@
-//! Rules of the loads.
+//! Pruning rules for the loads.
 
 use crate::AT_G;
 use crate::reference::{Body, Scene, Support, World, force, moment, principal};

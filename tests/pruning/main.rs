@@ -1,8 +1,8 @@
 //! Every pruning rule for a single body: the operations before and after, its line in the
-//! documentation, and agreement of the accelerations with the unpruned law, at 1000 random states,
-//! to 64 units in the last place of its largest term.
+//! documentation, and the agreement of the accelerations with the unpruned law, at 1000 random
+//! states, to 64 units in the last place of the largest term.
 //!
-//! Rules that help integrators are claims about the structure of a body: `tests/structure/`.
+//! Rules that help integrators are claims about the structure of a body: see `tests/structure/`.
 #![allow(missing_docs)]
 
 mod bodies;

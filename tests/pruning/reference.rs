@@ -1,7 +1,7 @@
-//! The vector law, unpruned, in scalars that count their operations and remember their terms.
+//! The vector law, unpruned, with scalars that count their operations and remember their terms.
 //!
-//! All is in space, with a full tensor and every force turned into both axes: `a = F / m`,
-//! `w' = J^-1 (M - w x J w)`, J^-1 by the adjugate.
+//! Everything is in space, with a full tensor, and with every force rotated into both axes:
+//! `a = F / m`, `w' = J^-1 (M - w x J w)`, with J^-1 from the adjugate.
 
 use core::cell::Cell;
 use core::ops::{Add, Div, Mul, Sub};

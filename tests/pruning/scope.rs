@@ -1,4 +1,4 @@
-//! Rules of what there is, and of what is asked for: coordinates, outputs, parameters.
+//! Pruning rules for what is described and requested: coordinates, outputs, parameters.
 
 use crate::reference::{Body, Scene, Support, World, force, principal};
 use crate::row;

@@ -1,4 +1,4 @@
-//! A row of the table, and what is checked of it.
+//! A row of the table, and what is checked for it.
 
 use newton_euler::operations::{Operations, Stage};
 use newton_euler::prelude::*;

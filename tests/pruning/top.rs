@@ -1,6 +1,8 @@
-//! Lagrange's top, of which an integrator may choose other variables: the formulas and what they cost.
+//! Lagrange's top, for which an integrator may choose other variables: the formulas, and what they
+//! cost.
 //!
-//! The tip is held at c below G: `k = m g c`, J across and along the axis about the tip, `s` the constant spin, `e` up.
+//! The tip is held, at c below G: `k = m g c`, J across and along the axis about the tip, `s` the
+//! constant spin, `e` up.
 
 use nalgebra::{Quaternion, Vector3};
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! Reads the reference numbers.
+//! Reads the numbers of the references.
 #![allow(dead_code, reason = "each test reads its part")]
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector2, Vector3};

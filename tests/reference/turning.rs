@@ -1,4 +1,5 @@
-//! Bodies that turn in space, from a start to an end that is known: how far off an end is, and how far the inputs may move it.
+//! Bodies that rotate in space, from a start to a known end: how far a result is from this end, and
+//! how far errors of the inputs may move it.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use newton_euler::state::Rotation;

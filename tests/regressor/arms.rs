@@ -1,5 +1,6 @@
 //! The planar arm of two links: its rows in closed form, and the combinations of parameters that a
-//! motion can tell (W. Khalil, E. Dombre, "Modeling, Identification and Control of Robots", chapter 9).
+//! motion can reveal (W. Khalil, E. Dombre, "Modeling, Identification and Control of Robots",
+//! chapter 9).
 
 use nalgebra::{SMatrix, SVector};
 use newton_euler::prelude::*;

@@ -1,5 +1,5 @@
-//! Bodies of every motion: rows times parameters are what the motion takes by the laws of Newton and
-//! Euler, at random states and accelerations.
+//! Bodies with every kind of motion: rows times parameters are the loads that Newton's and Euler's
+//! laws require, at random states and accelerations.
 
 use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector2, Vector3};
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! What least squares find of a simulated log: the base parameters of an arm in space.
+//! What least squares find in a simulated log: the base parameters of an arm in space.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 use newton_euler::prelude::*;

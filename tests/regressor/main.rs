@@ -1,5 +1,5 @@
-//! `outputs: [regressor]`, compared with the laws of Newton and Euler by hand and with inverse
-//! dynamics, and least squares on a log.
+//! `outputs: [regressor]`, compared with Newton's and Euler's laws by hand and with inverse
+//! dynamics; and least squares on a log.
 #![allow(missing_docs, reason = "tests")]
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 

@@ -1,5 +1,5 @@
-//! Systems: rows times parameters are the torques of inverse dynamics, in trees of all joints; with
-//! loops, the power that comes in.
+//! Systems: in trees of all kinds of joints, rows times parameters are the torques of inverse
+//! dynamics; with loops, they give the power that enters.
 
 use nalgebra::{SMatrix, SVector, UnitQuaternion};
 use newton_euler::prelude::*;

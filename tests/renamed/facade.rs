@@ -1,4 +1,4 @@
-//! A crate that passes the library on.
+//! A crate that re-exports the library.
 #![forbid(unsafe_code)]
 
 pub use dynamics_underneath as mechanics;

@@ -1,4 +1,4 @@
-//! A user's program that knows the library by another name, and through a third crate.
+//! A user's program that knows the library under another name, and through a third crate.
 #![deny(warnings, missing_docs)]
 #![forbid(unsafe_code)]
 

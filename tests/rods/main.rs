@@ -1,4 +1,5 @@
-//! Rods: published numbers, the vector law by hand, conservation laws, and the limit of thin bodies.
+//! Rods: published numbers, the vector law by hand, conservation laws, and the limit of thin
+//! bodies.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::{Unit, UnitQuaternion, Vector3};

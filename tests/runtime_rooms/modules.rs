@@ -1,7 +1,8 @@
-//! The modules of a crate, and what their files need of each other.
+//! The modules of a crate, and what their files need from each other.
 //!
-//! What counts is where a thing is defined: a name that a module hands on is looked up there, so
-//! that a file which does nothing else needs nobody. What is reached by methods alone is not seen.
+//! What counts is where an item is defined. A name that a module re-exports is looked up there, so
+//! a file that only re-exports depends on no others. What is reached only through methods is not
+//! seen.
 
 use std::collections::{BTreeMap, BTreeSet};
 

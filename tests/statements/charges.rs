@@ -1,4 +1,5 @@
-//! Uniform fields on charges, (34.7) to (34.9): published numbers, and what the field does not do.
+//! Uniform fields on charges, (34.7) to (34.9): published numbers, and what such a field does not
+//! do.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::{UnitQuaternion, Vector2, Vector3};

@@ -1,4 +1,4 @@
-//! F08, H3: bodies composed of parts, against mass points and the runtime's tensors.
+//! F08, H3: bodies composed of parts, compared with mass points and with the runtime's tensors.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use std::f64::consts::PI;

@@ -1,4 +1,4 @@
-//! F11 and F12: free bodies from the macro, integrated to the closed forms.
+//! F11 and F12: free bodies from the macro, integrated and compared with the closed forms.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::{integrate::cf4, prelude::*};

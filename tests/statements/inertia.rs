@@ -1,4 +1,5 @@
-//! F08 and F09: one body whose inertia is described in many words, and one in axes that make it diagonal.
+//! F08 and F09: one body whose inertia is described in many forms, and one in axes that make it
+//! diagonal.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};

@@ -1,4 +1,5 @@
-//! F04, the isolated body under eight families of loads, described in three ways and about three poles.
+//! F04: an isolated body under eight families of loads, described in three ways and about three
+//! poles.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::Vector2;

@@ -1,5 +1,5 @@
-//! Published numbers, through the macro: the statements of the theory, solids, composed bodies,
-//! charges, a quadrotor.
+//! Published numbers, reproduced through the macro: the statements of the theory, solids, composed
+//! bodies, charges, a quadrotor.
 
 mod charges;
 mod composed;

@@ -1,6 +1,6 @@
-//! The compound pendulum M1 of the theory, through the macro; and a bob on a rod without mass.
+//! The compound pendulum M1 of the theory, through the macro; and a bob on a massless rod.
 //!
-//! Expected numbers are the reference's, in 40-digit arithmetic by two routes.
+//! The expected numbers are those of the reference, in 40-digit arithmetic by two routes.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::{Vector2, Vector3};

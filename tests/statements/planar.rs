@@ -1,6 +1,7 @@
 //! The planar statements F01 to F05 of the theory, through the macro.
 //!
-//! Expected numbers are the reference's or sums over mass points; nothing expected comes from generated code.
+//! The expected numbers are those of the reference, or sums over mass points. None comes from
+//! generated code.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::{Rotation2, Vector2};

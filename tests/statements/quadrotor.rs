@@ -1,7 +1,8 @@
 //! The quadrotor M9: its numbers, and its equations derived a second time, by Lagrange.
 //!
-//! In the second derivation the Lagrangian and the virtual work of the loads are written in coordinates, angles of roll,
-//! pitch and yaw among them, and differentiated exactly by numbers that carry derivatives along.
+//! In the second derivation, the Lagrangian and the virtual work of the loads are written in
+//! coordinates that include the angles of roll, pitch and yaw. They are differentiated exactly,
+//! with numbers that carry derivatives.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};

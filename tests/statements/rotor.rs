@@ -1,6 +1,6 @@
 //! The rotor M6 of the theory on two bearings, through the macro.
 //!
-//! Expected numbers are the reference's, in 40-digit arithmetic by two routes.
+//! The expected numbers are those of the reference, in 40-digit arithmetic by two routes.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::{UnitQuaternion, Vector3};

@@ -1,4 +1,4 @@
-//! F08, H2: solids against published numbers, turned as the runtime turns tensors.
+//! F08, H2: solids compared with published numbers, and rotated as the runtime rotates tensors.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};

@@ -1,6 +1,7 @@
-//! The heavy top M7 of the theory, through the macro: precession, nutation and the force of the pivot.
+//! The heavy top M7 of the theory, through the macro: precession, nutation and the force of the
+//! pivot.
 //!
-//! Expected numbers are the reference's, in 40-digit arithmetic by two routes.
+//! The expected numbers are those of the reference, in 40-digit arithmetic by two routes.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 use nalgebra::{UnitQuaternion, Vector3};

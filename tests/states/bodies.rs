@@ -1,4 +1,4 @@
-//! The bodies and systems that have them.
+//! The bodies and systems with user-defined states.
 
 use newton_euler::prelude::*;
 

@@ -1,5 +1,5 @@
-//! A controller with an integrator and a motor that lags, on a hinge, beside the same equations by
-//! hand.
+//! A controller with an integrator, and a motor that lags, on a hinge, compared with the same
+//! equations by hand.
 
 use newton_euler::integrate::DormandPrince;
 use newton_euler::prelude::*;

@@ -1,5 +1,5 @@
-//! With every kind of motion: the accelerations of a motion are those of the same body of which the state of
-//! one's own is an input, and what else it answers too.
+//! User-defined states with every kind of motion: the accelerations and other outputs are those of
+//! the same body with the state as an input.
 
 use newton_euler::prelude::*;
 

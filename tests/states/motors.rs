@@ -1,5 +1,5 @@
-//! Motors that lag, and the fuel that they take, by every method, beside the response of first
-//! order in closed form.
+//! Motors that lag, and the fuel that they use, with every method, compared with the first-order
+//! response in closed form.
 
 use newton_euler::integrate::{
     Classical4, DormandPrince, DormandPrince8, Fixed, Midpoint, RungeKutta, TaylorSeries,

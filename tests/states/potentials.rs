@@ -1,5 +1,5 @@
-//! Energies that depend on states of one's own: forces are their slopes as the state is held, and the
-//! energy changes by their slope along it.
+//! Energies that depend on user-defined states: forces are their slopes with the state held, and
+//! the energy changes by its slope along the state.
 
 use newton_euler::prelude::*;
 

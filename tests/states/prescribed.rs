@@ -1,5 +1,5 @@
-//! States that prescribe a motion, of driven joints and in constraints, beside the same motion as
-//! an input that moves, as a joint, and by hand.
+//! States that prescribe a motion, of driven joints and in constraints. They are compared with the
+//! same motion as a `.moving` input, as a joint, and by hand.
 
 use newton_euler::constrained::Constrained;
 use newton_euler::integrate::{DormandPrince, TaylorSeries};

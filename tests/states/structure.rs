@@ -1,4 +1,4 @@
-//! What is claimed of bodies with states of their own: no more than what holds.
+//! The claims about bodies with user-defined states: nothing more than what holds.
 
 use newton_euler::prelude::*;
 use newton_euler::structure::{Structure, Structured};

@@ -1,4 +1,4 @@
-//! Many at once: each as if alone, to the bit.
+//! Many bodies at once: each moves as if alone, bit for bit.
 
 use newton_euler::ensemble::{Ensemble, OneByOne};
 use newton_euler::integrate::{DormandPrince, DormandPrince8, Fixed, TaylorSeries};

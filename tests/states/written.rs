@@ -1,4 +1,4 @@
-//! States as they are serialised, and by columns.
+//! States when serialized, and as columns.
 
 use newton_euler::columns::Columns;
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! Bodies of every structure.
+//! Bodies with every kind of structure.
 
 use newton_euler::rigid_body;
 

@@ -1,4 +1,5 @@
-//! Each claim, at random states, against the accelerations; and of what is not claimed, a state in which it fails.
+//! Each claim, compared with the accelerations at random states; and for each claim that is not
+//! made, a state in which it fails.
 
 use nalgebra::{UnitQuaternion, UnitVector3, Vector3};
 use newton_euler::structure::{Dependence, Structure, Structured, Symmetry};

@@ -1,4 +1,4 @@
-//! What has no slope, and jumps: it is not what does not change.
+//! Expressions that have no slope and jump: they do not count as unchanged.
 
 use newton_euler::prelude::*;
 use newton_euler::structure::{Structured, Symmetry};

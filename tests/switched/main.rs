@@ -1,5 +1,5 @@
-//! Loads and constraints that are zero on one side of a threshold and nonzero on the other: nothing
-//! is claimed that holds on one side alone, and both sides are computed.
+//! Loads and constraints that are zero on one side of a threshold and nonzero on the other. Nothing
+//! is claimed that holds on only one side, and both sides are computed.
 
 mod constraints;
 mod loads;

@@ -1,5 +1,5 @@
-//! Coordinates, rates and displacements of a system: those of its joints, all positions before all
-//! velocities.
+//! The coordinates, rates and displacements of a system: those of its joints, with all positions
+//! before all velocities.
 
 use newton_euler::columns::{Columns, Sink, Source};
 use newton_euler::prelude::*;

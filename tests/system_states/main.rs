@@ -1,4 +1,4 @@
-//! States of systems: structs with a field for each joint, moved by every method.
+//! States of systems: structs with a field for each joint, moved with every method.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 #[path = "../dual/mod.rs"]

@@ -1,4 +1,4 @@
-//! Motions of systems, by every method.
+//! Motions of systems, with every method.
 
 use newton_euler::constrained::Constrained;
 use newton_euler::integrate::{

@@ -1,4 +1,4 @@
-//! Names, units and text of states, parameters and inputs; tables of them.
+//! Names, units and text of states, parameters and inputs; and tables of them.
 
 use newton_euler::columns::{Csv, Named};
 use newton_euler::integrate::Sample;

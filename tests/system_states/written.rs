@@ -1,4 +1,4 @@
-//! Systems as they are serialised: structs with named fields, each checked as a state is.
+//! Serialized systems: structs with named fields, each of which is checked as a state is.
 
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use serde_json::{Value, from_value, json, to_value};

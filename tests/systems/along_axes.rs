@@ -1,4 +1,4 @@
-//! Rates that are kept alone, and places along axes that they follow.
+//! Constraints on single rates, and on places along axes.
 
 use newton_euler::prelude::*;
 

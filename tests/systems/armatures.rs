@@ -1,4 +1,4 @@
-//! Armatures: beside rotors on the ground that gears turn with the coordinates.
+//! Armatures, compared with rotors on the ground that gears turn with the coordinates.
 
 use newton_euler::prelude::*;
 

@@ -1,4 +1,5 @@
-//! The balances of each body: zero on a true motion, and what a wrong reaction leaves.
+//! The balances of each body: they are zero on a true motion, and show what a wrong reaction
+//! leaves.
 
 use nalgebra::Vector3;
 use newton_euler::load::Load;

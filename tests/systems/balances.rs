@@ -1,8 +1,8 @@
-//! Another way to the same numbers: each body by itself, its joint loads unknown.
+//! Another way to the same numbers: each body by itself, with the loads of its joints as unknowns.
 //!
-//! Unknown are the accelerations of the coordinates and six components of load for each joint; known
-//! are the balances of each body, and the power of the joint loads along the freedoms of each joint,
-//! which is that of its drives.
+//! The unknowns are the accelerations of the coordinates and six components of load for each joint.
+//! The equations are the balances of each body, and the power of the joint loads along the freedoms
+//! of each joint, which is that of its drives.
 
 use super::oracle::{Link, Loads, Mat3, Motion, Rates, Vec3, motions};
 

@@ -1,4 +1,5 @@
-//! Constraints across bodies: beside joints that hold the same, beside closed forms, and by laws.
+//! Constraints between bodies, compared with joints that hold the same directions, with closed
+//! forms, and with laws.
 
 use newton_euler::prelude::*;
 

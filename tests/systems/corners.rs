@@ -1,5 +1,5 @@
-//! Descriptions that are easy to get wrong, against the oracle: names of all sorts, loads that see
-//! what is left out elsewhere, locals, welds between loads.
+//! Descriptions that are easy to get wrong, compared with the oracle: all sorts of names, loads
+//! that depend on what is otherwise left out, locals, welds between loads.
 
 use nalgebra::{Matrix3, Vector3};
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! How many operations accelerations and reactions take, at most.
+//! The most operations that accelerations and reactions may take.
 
 use newton_euler::operations::Operations;
 

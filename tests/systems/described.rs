@@ -1,4 +1,4 @@
-//! The systems of `tests/reference/systems`, described.
+//! Descriptions of the systems in `tests/reference/systems`.
 
 use newton_euler::prelude::*;
 

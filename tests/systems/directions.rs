@@ -1,4 +1,4 @@
-//! Directions in the axes of the carried body, of the carrier, and of the ground, where bodies are turned.
+//! Directions in the axes of a rotated body, of its carrier, and of the ground.
 
 use nalgebra::{Rotation3, Vector3};
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! Systems that are drawn in the pose of zero coordinates.
+//! Systems that are drawn in the pose with zero coordinates.
 
 use nalgebra::Vector3;
 use newton_euler::prelude::*;

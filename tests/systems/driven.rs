@@ -1,5 +1,5 @@
-//! Joints whose motion is prescribed: with the drives that are found, the same system without
-//! prescriptions moves so.
+//! Joints whose motion is prescribed. With the drives that are found, the same system without
+//! prescriptions moves in the same way.
 
 use newton_euler::prelude::*;
 

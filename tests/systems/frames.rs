@@ -1,4 +1,4 @@
-//! Joints one behind another, with frames between them.
+//! Joints in series, with frames between them.
 
 use newton_euler::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Links beyond those that are needed: the motion, and what is determined.
+//! More links than are needed: the motion, and which loads are determined.
 
 use nalgebra::Vector2;
 use newton_euler::prelude::*;

@@ -1,5 +1,6 @@
-//! The systems of `tests/reference/systems` by Lagrange's equations: the kinetic energy of the trees as the files have them, and
-//! its exact derivatives, know nothing of Newton's and Euler's laws.
+//! The systems of `tests/reference/systems`, by Lagrange's equations. These use only the kinetic
+//! energy of the trees in the files and its exact derivatives, and nothing of Newton's and Euler's
+//! laws.
 
 use newton_euler::{prelude::*, state::Coordinates};
 use serde_json::Value;

@@ -1,4 +1,4 @@
-//! A quadruped, and inverse dynamics of an arm with everything in it, against the oracle.
+//! A quadruped, and inverse dynamics of an arm with everything in it, compared with the oracle.
 
 use nalgebra::Vector3;
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! Linkages of six bars: operations.
+//! Six-bar linkages: counts of operations.
 #![allow(unused_variables, reason = "each linkage uses some of the points")]
 
 use newton_euler::operations::Operations;

@@ -1,4 +1,4 @@
-//! Links without mass: the distances that they keep, and their tensions.
+//! Massless links: the distances that they keep, and their tensions.
 
 use nalgebra::{Unit, UnitQuaternion, Vector2, Vector3};
 use newton_euler::prelude::*;

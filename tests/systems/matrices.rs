@@ -1,4 +1,5 @@
-//! Mass matrices and Jacobians, by what they are for: accelerations, energies, velocities, work.
+//! Mass matrices and Jacobians, tested by what they are used for: accelerations, energies,
+//! velocities, work.
 
 use nalgebra::{SVector, Vector3};
 use newton_euler::prelude::*;

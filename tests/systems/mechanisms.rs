@@ -1,5 +1,5 @@
-//! Mechanisms in space and in the plane: the loops stay closed, each body is balanced, and the joints
-//! that close the loops push where they hold alone.
+//! Mechanisms in space and in the plane: the loops stay closed, each body is balanced, and the
+//! joints that close the loops push only in directions that they hold.
 
 use nalgebra::Vector3;
 use newton_euler::prelude::*;

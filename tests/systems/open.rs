@@ -1,4 +1,4 @@
-//! Open drives of joints with several freedoms, and of bases that float.
+//! Open drives of joints with several freedoms, and of floating bases.
 
 use nalgebra::Vector3;
 use newton_euler::prelude::*;

@@ -1,6 +1,6 @@
-//! How bodies move and what acts on them, by themselves: poses are carried through the tree with
-//! their first and second derivatives in time, so that velocity products follow from the product
-//! rule.
+//! How bodies move and what acts on them, computed independently. Poses are carried through the
+//! tree with their first and second time derivatives, so that velocity products follow from the
+//! product rule.
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 

@@ -1,4 +1,4 @@
-//! A system that is generic over its scalar, with directions, turnings and pitches of params.
+//! A system that is generic over its scalar, with directions, rotations and pitches as params.
 
 use nalgebra::Vector3;
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! Systems in the plane against the oracle.
+//! Systems in the plane, compared with the oracle.
 
 use nalgebra::{Matrix3, Vector3};
 use newton_euler::prelude::*;

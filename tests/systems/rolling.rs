@@ -1,4 +1,4 @@
-//! Rolling across bodies and in space, with points of contact that change in their bodies.
+//! Rolling between bodies and in space, with points of contact that move in their bodies.
 
 use newton_euler::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Screws that close loops, beside hand formulas and beside screws that carry.
+//! Screws that close loops, compared with formulas by hand and with screws that carry bodies.
 
 use core::f64::consts::PI;
 

@@ -1,5 +1,5 @@
-//! Taylor series of systems: each satisfies the equations of motion, and the motions are those of
-//! other methods.
+//! Taylor series of systems: each satisfies the equations of motion, and the motions agree with
+//! those of other methods.
 
 use newton_euler::integrate::{DormandPrince, RungeKuttaPair};
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! Systems in space of odd shapes against the oracle.
+//! Systems in space of unusual shapes, compared with the oracle.
 
 use nalgebra::{Matrix3, Vector3};
 use newton_euler::prelude::*;

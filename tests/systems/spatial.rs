@@ -1,4 +1,4 @@
-//! Systems in space against the oracle.
+//! Systems in space, compared with the oracle.
 
 use nalgebra::{Matrix3, Vector3};
 use newton_euler::prelude::*;

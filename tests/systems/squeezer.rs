@@ -1,7 +1,7 @@
 //! Andrews' squeezing mechanism: seven bodies in three loops, in the plane.
 //!
-//! E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, VII.7; its end at 0.03 s from
-//! `reference/squeezer.py`.
+//! E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, VII.7. Its state at 0.03 s is
+//! from `reference/squeezer.py`.
 
 use newton_euler::prelude::*;
 

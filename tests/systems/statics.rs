@@ -1,4 +1,4 @@
-//! What stands: mechanisms that are held too much, and structures.
+//! Systems that do not move: overconstrained mechanisms, and structures.
 
 use newton_euler::prelude::*;
 

@@ -1,5 +1,5 @@
-//! Systems in which nothing moves by itself: structures of welds, and arms whose joints are all
-//! driven. They have loads, energy and momentum at a time, and no motion.
+//! Systems in which nothing moves by itself: welded structures, and arms whose joints are all
+//! driven. At any time they have loads, energy and momentum, but they have no motion to integrate.
 
 use nalgebra::{Vector2, Vector3};
 use newton_euler::Dual;

@@ -1,10 +1,10 @@
-//! Chains with very unequal masses (H18): off the true accelerations by no more than a hundred times
-//! what the rounding of the inputs makes; with the heavy body last, by no more than the rounding of
-//! its load on the light ones.
+//! Chains with very unequal masses (H18). The errors of accelerations are no more than a hundred
+//! times what the rounding of the inputs causes; if the heavy body is last, no more than the
+//! rounding of its load on the light ones.
 //!
-//! The numbers are from absolute coordinates with multipliers, in 60 digits; `moved` is the largest
-//! change of an acceleration, of the largest of them, when each input is moved by 2^-53 of itself,
-//! in 12 random ways.
+//! The numbers come from absolute coordinates with multipliers, in 60 digits; `moved` is the
+//! largest change of an acceleration, relative to the largest acceleration, if each input is
+//! changed by 2^-53 of itself, in 12 random ways.
 
 use newton_euler::prelude::*;
 

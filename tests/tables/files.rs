@@ -1,5 +1,5 @@
-//! Tables from files, and of two scalars in cubics, beside the same written in a description, and
-//! beside bicubic polynomials by hand.
+//! Tables from files, and cubic tables of two arguments, compared with the same tables written in a
+//! description and with bicubic polynomials by hand.
 
 use newton_euler::prelude::*;
 

@@ -1,4 +1,5 @@
-//! Tables in descriptions: at, between and beyond their grid points, of one scalar and of two.
+//! Tables in descriptions: at, between and beyond their grid points, with one argument and with
+//! two.
 
 mod files;
 

@@ -1,4 +1,4 @@
-//! Series under constraints: beside closed forms, and beside Runge–Kutta steps.
+//! Series under constraints, compared with closed forms and with Runge–Kutta steps.
 
 use newton_euler::integrate::{DormandPrince, Projected};
 use newton_euler::prelude::*;

@@ -1,5 +1,5 @@
-//! Axes that do not spin with a symmetric body: every motion against that of a twin, the same body with numbers that are equal only at
-//! run time, so that its series are those of its own axes.
+//! Axes that do not spin with a symmetric body. Every motion is compared with that of a twin: the
+//! same body with numbers that are equal only at run time, so that its series use its own axes.
 
 use nalgebra::Vector3;
 use newton_euler::integrate::{IntegrationError, Motion, taylor, taylor_step};

@@ -1,5 +1,5 @@
-//! The recurrence of every function and operation, through one table: along its series a motion obeys its equation, which is
-//! written here a second time, in std's functions.
+//! The recurrence of every function and operation, from one table: along its series, a motion
+//! satisfies its equation, which is written a second time here, with the functions of std.
 
 use newton_euler::prelude::*;
 

@@ -1,5 +1,5 @@
-//! Every kind of motion: along its series the coordinates change at the rate of the velocities, and these by the acceleration that
-//! the body has there.
+//! Every kind of motion: along its series, the coordinates change at the rate given by the
+//! velocities, and the velocities by the acceleration that the body has there.
 
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
 use newton_euler::attitude;

@@ -1,4 +1,4 @@
-//! Series of what inputs that are `.moving` drive: in closed form, and beside DOP853.
+//! Series of motions that `.moving` inputs drive: in closed form, and compared with DOP853.
 
 use nalgebra::{Quaternion, Unit, Vector2, Vector3};
 use newton_euler::integrate::{

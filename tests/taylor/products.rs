@@ -1,4 +1,4 @@
-//! How many products of series an order takes: the number that a step costs.
+//! The number of products of series that an order takes, which determines the cost of a step.
 
 use newton_euler::prelude::*;
 use newton_euler::taylor::{Plain, Products};

@@ -1,5 +1,6 @@
-//! Motions that are not smooth, or not as far as a step sees: walls, pulses, roots, powers and angles at their singular points. Steps of
-//! series are held against the equations; what disagrees shortens them, and where there is no series a Runge–Kutta step goes over the place.
+//! Motions that are not smooth, or not over the length of a step: walls, pulses, roots, powers and
+//! angles at their singular points. Steps of series are checked against the equations; a step that
+//! disagrees is shortened, and where there is no series, a Runge–Kutta step crosses the place.
 
 use newton_euler::integrate::{
     DormandPrince, DormandPrince8, Fixed, IntegrationError, Motion, TaylorSeries,

@@ -1,4 +1,4 @@
-//! Bodies in every kind of motion, under loads of every kind.
+//! Bodies with every kind of motion, under loads of every kind.
 
 /// In space.
 macro_rules! block {

@@ -1,5 +1,5 @@
-//! End states against 40-digit trajectories, at several tolerances; reversal, energy, loads that depend on time and inputs, and
-//! what ends an integration.
+//! Final states, compared with 40-digit trajectories at several tolerances; reversal, energy, loads
+//! that depend on time and inputs, and what ends an integration.
 
 use newton_euler::integrate::{IntegrationError, Motion, taylor, taylor_step};
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! Tensors as observed through bodies, and their comparison.
+//! Tensors as they are observed through bodies, and their comparison.
 #![allow(dead_code, reason = "each test needs its part")]
 
 use nalgebra::{Matrix3, Unit, UnitQuaternion, Vector3};

@@ -1,4 +1,4 @@
-//! The files of this folder, and the same by hand.
+//! Descriptions of the files in this folder, and the same systems by hand.
 
 use newton_euler::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Systems from files, compared with the same systems by hand, and with another reader of the
+//! Systems from URDF files, compared with the same systems by hand, and with another reader of the
 //! files.
 #![allow(missing_docs)]
 

@@ -1,4 +1,4 @@
-//! Joints that follow others: beside the same written, and by hand.
+//! Joints that follow others, compared with the same constraints as written, and by hand.
 
 use newton_euler::prelude::*;
 

@@ -1,5 +1,5 @@
-//! Another reader of such files, in doubles, and Newton's and Euler's laws for what it reads: with the
-//! accelerations that a description gives, no joint is loaded along its freedom.
+//! Another reader of such files, in doubles, and Newton's and Euler's laws for what it reads: with
+//! the accelerations of the described system, no joint is loaded along its freedom.
 
 use std::collections::HashMap;
 use std::fs;

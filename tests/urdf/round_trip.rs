@@ -1,5 +1,5 @@
-//! What is printed of a file, compiled again, is the same system: by the names of its state, and to
-//! the bit in its accelerations.
+//! The text printed for a file, compiled again, gives the same system: with the same names in its
+//! state, and the same accelerations bit for bit.
 
 use newton_euler::prelude::*;
 use serde::Serialize;

@@ -1,4 +1,5 @@
-//! Generated code under a user's strictest lints: documented, safe and clean of pedantic warnings.
+//! Generated code under a user's strictest lints: it is documented, safe, and clean of pedantic
+//! warnings.
 #![deny(
     warnings,
     missing_docs,

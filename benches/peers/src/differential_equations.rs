@@ -1,4 +1,5 @@
-//! `differential-equations`: thirteen numbers, their right-hand side by hand or from the description.
+//! The crate `differential-equations`: states of thirteen numbers, with right-hand sides by hand or
+//! from the description.
 
 use std::hint::black_box;
 
@@ -18,7 +19,7 @@ const STEP: f64 = 1e-3;
 /// Position, velocity, attitude (x, y, z, w), angular velocity.
 type Numbers = [f64; 13];
 
-/// The motion of a body under an input that is held.
+/// The motion of a body under a constant input.
 struct Motion<B: RigidBody> {
     body: B,
     input: B::Input,
@@ -37,7 +38,7 @@ impl<B: RigidBody<Scalar = f64, State = Spatial>> ODE<f64, Numbers> for Motion<B
     }
 }
 
-/// The attitude is taken as it is.
+/// The attitude is used as it is, without normalization.
 #[inline(always)]
 fn unpacked(&[x, y, z, u, v, w, i, j, k, real, p, q, r]: &Numbers) -> Spatial {
     Spatial {
@@ -72,7 +73,7 @@ fn start() -> (Spatial, Numbers) {
     (state(0.7), numbers)
 }
 
-/// The end of `STEPS` steps of the classical Runge-Kutta method.
+/// The state after `STEPS` steps of the classical Runge-Kutta method.
 fn runge_kutta(motion: &impl ODE<f64, Numbers>) -> Numbers {
     let end = STEP * f64::from(STEPS);
     let solution = IVP::ode(motion, 0.0, end, black_box(start().1))
@@ -82,7 +83,7 @@ fn runge_kutta(motion: &impl ODE<f64, Numbers>) -> Numbers {
     *solution.last().expect("an end").1
 }
 
-/// The end of the same time, to rounding nearly.
+/// The state after the same time, almost to rounding.
 fn reference(motion: &impl ODE<f64, Numbers>) -> Spatial {
     let end = STEP * f64::from(STEPS);
     let solution = IVP::ode(motion, 0.0, end, start().1)

@@ -1,4 +1,4 @@
-//! What else one would reach for, timed beside generated code: see README.md.
+//! Alternatives that one might use, timed next to generated code: see README.md.
 
 #[allow(dead_code)]
 #[path = "../../acceleration/bodies.rs"]
@@ -34,7 +34,7 @@ fn main() {
     println!("\n{table}");
 }
 
-/// A state that differs with x.
+/// A state that depends on x.
 fn state(x: f64) -> Spatial {
     Spatial {
         attitude: UnitQuaternion::from_euler_angles(x, 2.0 * x, 3.0 * x),
@@ -43,7 +43,7 @@ fn state(x: f64) -> Spatial {
     }
 }
 
-/// How far states are apart: in m, m/s, rad and rad/s, the largest of them.
+/// The distance of two states: the largest difference in m, m/s, rad and rad/s.
 fn distance(one: &Spatial, other: &Spatial) -> f64 {
     (one.position - other.position)
         .norm()

@@ -1,4 +1,4 @@
-//! rapier3d: a step of a world with one free body, and of one with a multibody of two arms.
+//! rapier3d: a step of a world with one free body, and of a world with a multibody of two arms.
 
 use std::hint::black_box;
 
@@ -15,13 +15,13 @@ use crate::paired::paired;
 use crate::table::Table;
 use crate::{distance, state};
 
-/// A world with the general body in it, under weight.
+/// A world that contains the general body, under its weight.
 struct World {
     world: PhysicsWorld,
     body: RigidBodyHandle,
 }
 
-/// Each step is made of a number of substeps.
+/// An empty world, each step of which consists of several substeps.
 fn empty(gravity: Vector, step: f64, substeps: usize) -> PhysicsWorld {
     PhysicsWorld {
         gravity,
@@ -101,7 +101,7 @@ fn one_body(table: &mut Table) {
             errors[0],
             errors[1]
         );
-        // of order one, and so the same motion
+        // the method is of order one, so this is the same motion
         assert!(errors.into_iter().all(|error| error < 20.0 * step));
     }
 
@@ -144,7 +144,7 @@ rigid_system!(Arms {
     fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
 });
 
-/// The same arms as a multibody, which begins with all its angles zero.
+/// The same arms as a multibody, which starts with all angles zero.
 struct Multibody {
     world: PhysicsWorld,
     arms: [RigidBodyHandle; 2],
@@ -155,7 +155,7 @@ impl Multibody {
         let mut world = empty(Vector::new(0.0, -9.80665, 0.0), step, substeps);
         let mut carrier = world.insert_body(RigidBodyBuilder::fixed());
         let mut anchor = 0.0;
-        // mass, inertia, and where the hinge and the tip are
+        // the mass, the inertia, and the places of the hinge and the tip
         let arms = [
             (1.2, 0.04, -0.28, 0.32, 0.28),
             (0.8, 0.015, -0.22, 0.0, 0.82),
@@ -184,7 +184,7 @@ impl Multibody {
         Self { world, arms }
     }
 
-    /// Angles of the arms in the world, and their rates.
+    /// The angles of the arms in the world, and their rates.
     fn state(&self) -> [f64; 4] {
         let [upper, lower] = self.arms.map(|arm| &self.world.bodies[arm]);
         let angle = |arm: &rapier3d_f64::prelude::RigidBody| arm.rotation().to_scaled_axis().z;
@@ -207,7 +207,7 @@ fn in_world(state: &ArmsState) -> [f64; 4] {
     ]
 }
 
-/// The largest difference; angles are up to whole turns.
+/// The largest difference. Angles are compared up to whole turns.
 fn between(one: [f64; 4], other: [f64; 4]) -> f64 {
     let turn = core::f64::consts::TAU;
     let differences = (0..4).map(|k| {
@@ -248,7 +248,7 @@ fn two_arms(table: &mut Table) {
             errors[0],
             errors[1]
         );
-        // of order one, and so the same motion
+        // the method is of order one, so this is the same motion
         assert!(errors.into_iter().all(|error| error < 40.0 * step));
     }
     for substeps in [1, 4] {

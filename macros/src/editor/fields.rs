@@ -1,5 +1,5 @@
-//! Words as fields of structs: of the language, of the generated items, and of the names that the
-//! description defines.
+//! Words as fields of structs: the structs of the language, the generated items, and structs of the
+//! names that the description defines.
 
 use std::collections::HashSet;
 
@@ -9,7 +9,7 @@ use quote::{format_ident, quote};
 use super::words::{Place, Word};
 use crate::model::{Declared, Outline};
 
-/// A description and its words.
+/// A description and the words in it.
 pub struct Scene<'a> {
     outline: &'a Outline,
     words: &'a [Word],
@@ -41,7 +41,8 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// The structs of the names that the description defines, in front of those of the language.
+    /// The structs of the names that the description defines. They dereference to those of the
+    /// language.
     fn structs(&self) -> TokenStream {
         let [words, members, nothing] = ["Words", "Members", "Nothing"].map(|beneath| {
             let beneath = own(beneath);
@@ -68,7 +69,8 @@ impl<'a> Scene<'a> {
         words.filter(move |word| word.body == Some(body) && word.kind().is_some())
     }
 
-    /// A struct whose fields define their names, except for those that generated items define.
+    /// A struct whose fields are the names of these words, except for names that generated items
+    /// define.
     fn record<'w>(
         &self,
         name: &str,
@@ -78,7 +80,7 @@ impl<'a> Scene<'a> {
         record(name, beneath, fields, |word| self.item_with(word).is_none())
     }
 
-    /// What the generated struct with such a field is called here.
+    /// The local name of the generated struct that has such a field.
     fn item_with(&self, name: &Ident) -> Option<&'static str> {
         let outline = self.outline;
         let is_in = |all: &[Declared]| all.iter().any(|declared| declared.name == *name);
@@ -112,7 +114,7 @@ impl<'a> Scene<'a> {
         Some(quote!(#receiver.#name))
     }
 
-    /// What a name of an expression is a field of: names of its body hide others.
+    /// What a name in an expression is a field of. Names of its own body hide others.
     fn receiver_of(&self, word: &Word) -> String {
         let name = &word.ident;
         let is_name = |other: &Word| other.ident == *name;
@@ -122,7 +124,7 @@ impl<'a> Scene<'a> {
                 format!("of_{}", self.bodies[body])
             }
             (_, Some(item)) => item.to_owned(),
-            // unknown so far: it is being written
+            // the name is unknown so far, because it is being written
             (Some(body), None) if !outside.any(|word| word.kind().is_some() && is_name(word)) => {
                 format!("in_{}", self.bodies[body])
             }
@@ -175,12 +177,12 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// A name that the user's code does not see.
+/// A name that the user's code cannot see.
 fn own(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
 }
 
-/// A struct with these fields, each once, that dereferences to the one beneath.
+/// A struct with these fields, each once, that dereferences to the struct `beneath`.
 fn record<'w>(
     name: &str,
     beneath: &TokenStream,

@@ -1,5 +1,5 @@
-//! What editors see of a description: each of its words as a field that its place has. The runtime
-//! asks for this only when an editor reads it, so that rustc compiles none of it.
+//! What editors see of a description: each word becomes a field of a struct that fits its place.
+//! The runtime requests this only when an editor reads the code, so rustc compiles none of it.
 
 mod fields;
 mod words;
@@ -33,7 +33,7 @@ pub fn expand_words_of_system(tokens: TokenStream) -> TokenStream {
 }
 
 fn emit(outline: Option<Outline>, tokens: TokenStream, errors: Errors) -> TokenStream {
-    // the expansion of the description reports them
+    // the expansion of the description reports these errors
     let _ = errors.finish();
     let words = words(braces(tokens).unwrap_or_default());
     outline.map_or_else(TokenStream::new, |outline| {
@@ -41,7 +41,7 @@ fn emit(outline: Option<Outline>, tokens: TokenStream, errors: Errors) -> TokenS
     })
 }
 
-/// What stands in the braces of a description.
+/// The content of the braces of a description.
 fn braces(tokens: TokenStream) -> Option<TokenStream> {
     tokens.into_iter().find_map(|token| match token {
         TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group.stream()),

@@ -1,8 +1,8 @@
-//! Every word of a description and its place, even where nothing can be read.
+//! Every word of a description and its place, even where the description cannot be parsed.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
-/// A word and its place; `body` is the number of the body of a system in whose braces it stands.
+/// A word and its place; `body` is the index of the body of a system in whose braces it stands.
 #[derive(Clone)]
 pub struct Word {
     pub ident: Ident,
@@ -16,19 +16,19 @@ pub enum Place {
     Key,
     /// The name that an entry of this list defines.
     Entry(String),
-    /// The state that a rate is of.
+    /// The name of the state that a rate belongs to.
     Rate,
     Motion,
     Joint,
     Output,
     Unit,
-    /// In an expression, not behind a dot.
+    /// A name in an expression, not after a dot.
     Name,
-    /// After a dot, with the name in front of the dot if it is one.
+    /// A name after a dot, with what precedes the dot if that is a name.
     Member(Option<Ident>),
 }
 
-/// Lists whose names can be used in expressions, and what they define.
+/// Lists whose names can be used in expressions, and what each name stands for.
 const NAMED: [(&str, &str); 11] = [
     ("params", "Param"),
     ("inputs", "Input"),
@@ -71,13 +71,13 @@ pub fn words(tokens: TokenStream) -> Vec<Word> {
 /// Brackets nested deeper than this are not read.
 const DEPTH: usize = 64;
 
-/// Words of expressions that name nothing.
+/// Words of expressions that are not names.
 const NO_NAMES: [&str; 5] = ["_", "if", "else", "true", "false"];
 
 #[derive(Default)]
 struct Found {
     words: Vec<Word>,
-    /// The body whose braces are read, and the number of bodies before.
+    /// The index of the body whose braces are read, and the number of bodies so far.
     body: Option<usize>,
     bodies: usize,
 }
@@ -97,7 +97,7 @@ impl Found {
     fn keys(&mut self, tokens: TokenStream, depth: usize) {
         for entry in entries(tokens) {
             let mut rest = entry.as_slice();
-            // a key that is being written stands in front of the next
+            // a key that is being written comes right before the next key
             while let [TokenTree::Ident(key), after @ ..] = rest {
                 self.add(key, Place::Key);
                 if let [colon, value @ ..] = after
@@ -154,7 +154,7 @@ impl Found {
                 self.add(kind, Place::Joint);
                 self.expression(rest, depth);
             }
-            // the names of its arguments are its own, and a path is a path of Rust
+            // the names of arguments are known only in the function, and a path is a path of Rust
             [TokenTree::Group(_), equals, rest @ ..]
                 if list == "functions" && is_punct(equals, '=') =>
             {
@@ -167,7 +167,8 @@ impl Found {
             }
             _ => {
                 self.add(name, Place::Entry(list.to_owned()));
-                // the group in `name[unit]` stands behind the name
+                // start after the name: the group in `name[unit]` is a unit only if it follows a
+                // word
                 self.after(entry, 1, depth);
             }
         }
@@ -195,7 +196,7 @@ impl Found {
         self.after(tokens, 0, depth);
     }
 
-    /// The words of an expression, behind the name that it defines.
+    /// The words of an expression, starting with the token at `first`.
     fn after(&mut self, tokens: &[TokenTree], first: usize, depth: usize) {
         for (number, token) in tokens.iter().enumerate().skip(first) {
             let before = number.checked_sub(1).map(|before| &tokens[before]);
@@ -222,7 +223,7 @@ impl Found {
     }
 
     fn word(&mut self, word: &Ident, before: &[TokenTree], after: Option<&TokenTree>) {
-        // a path of Rust, or a field of `tensor { xx: .. }`
+        // it is part of a path of Rust, or a field of `tensor { xx: .. }`
         if after.is_some_and(|token| is_punct(token, ':')) {
             return;
         }

@@ -1,7 +1,7 @@
 //! From equations to tokens. Nothing can fail here.
 //!
-//! With the outputs and the words for editors, this is the only room that names the runtime:
-//! everything goes through the path passed by the wrapper of the macro, so a renamed dependency or a
+//! Besides the outputs and the words for editors, this is the only room that names the runtime.
+//! Everything goes through the path that the wrapper macro passes, so a renamed dependency or a
 //! re-export works.
 
 pub mod code;
@@ -17,7 +17,7 @@ use crate::model::{Outline, Substance, Workspace};
 use code::{Site, Writer};
 use items::{Addition, Constructor, Documentation, Equated, Roots};
 
-/// The content of a correct description beyond its outline.
+/// What a correct description has beyond its outline.
 pub struct Sound {
     /// The bodies whose mass and inertia the constructor checks.
     pub bodies: Vec<Substance>,
@@ -27,7 +27,7 @@ pub struct Sound {
     pub roots: Roots,
 }
 
-/// Makes a build depend on a file that was read.
+/// Makes a build depend on a file that the description reads.
 pub fn emit_tracked(path: Option<&str>) -> Option<TokenStream> {
     path.map(|path| {
         quote!(
@@ -37,8 +37,8 @@ pub fn emit_tracked(path: Option<&str>) -> Option<TokenStream> {
 }
 
 /// The type of a body, its parameters and inputs, and all its implementations; `add` writes the
-/// requested outputs. An invalid description gets the same items without content, so
-/// that nothing else reports an error.
+/// requested outputs. An invalid description gets the same items without content, so that nothing
+/// else reports an error.
 pub fn emit_body(
     outline: &Outline,
     sound: Option<&Sound>,

@@ -1,4 +1,5 @@
-//! Errors of a description: collected with the place that has to change, reported all at once.
+//! Errors in a description. They are collected, each with the place that has to change, and
+//! reported all at once.
 
 mod suggestions;
 
@@ -23,7 +24,7 @@ pub struct Extent {
 pub struct Source(usize);
 
 impl Extent {
-    /// From the first to the last of these tokens.
+    /// The extent from the first to the last of these tokens.
     pub fn of(tokens: impl ToTokens) -> Self {
         let mut spans = tokens
             .into_token_stream()
@@ -37,7 +38,7 @@ impl Extent {
         }
     }
 
-    /// The same, for an item at a place in a file.
+    /// The same extent, for something at a place in a file.
     pub fn within(self, source: Source) -> Self {
         Self {
             source: Some(source),
@@ -45,7 +46,7 @@ impl Extent {
         }
     }
 
-    /// An item at the same place in a file, underlined elsewhere.
+    /// The same place in a file, but with another token underlined.
     pub fn underlining(self, span: Span) -> Self {
         Self {
             first: span,
@@ -78,7 +79,7 @@ impl From<Span> for Extent {
 pub struct Errors {
     found: Vec<syn::Error>,
     finished: bool,
-    /// The places in files, in words.
+    /// The places in files, as words.
     sources: Vec<String>,
 }
 
@@ -101,7 +102,7 @@ impl Errors {
         ));
     }
 
-    /// Reports an error in place of a value.
+    /// Reports an error, and returns `None` instead of a value.
     pub fn report<T>(
         &mut self,
         place: impl Into<Extent>,
@@ -111,7 +112,7 @@ impl Errors {
         None
     }
 
-    /// Registers a place in a file, which the errors found there name.
+    /// Registers a place in a file. Errors that are found there mention it.
     pub fn source(&mut self, words: String) -> Source {
         self.sources.push(words);
         Source(self.sources.len() - 1)
@@ -121,7 +122,7 @@ impl Errors {
         self.found.len()
     }
 
-    /// Forgets errors beyond this count: the source will be read again.
+    /// Forgets the errors after the first `count`, because their source will be read again.
     pub fn take_back(&mut self, count: usize) {
         self.found.truncate(count);
     }
@@ -130,7 +131,7 @@ impl Errors {
         self.found.is_empty()
     }
 
-    /// All errors as `compile_error!`s, or nothing.
+    /// All errors as `compile_error!`s; `None` if there are none.
     pub fn finish(mut self) -> Option<TokenStream> {
         self.finished = true;
         (!self.found.is_empty()).then(|| {
@@ -151,7 +152,7 @@ impl Drop for Errors {
     }
 }
 
-/// Reads a source again, whose errors are already reported.
+/// Reads something again whose errors are already reported.
 pub fn silently<T>(read: impl FnOnce(&mut Errors) -> T) -> T {
     let mut reported = Errors::default();
     let found = read(&mut reported);
@@ -159,7 +160,8 @@ pub fn silently<T>(read: impl FnOnce(&mut Errors) -> T) -> T {
     found
 }
 
-/// All values, if no error was reported. Every one is read, so that no mistake hides another.
+/// All values, if there is no `None` among them. Every value is read, so that no error hides
+/// another.
 pub fn every<T>(read: impl IntoIterator<Item = Option<T>>) -> Option<Vec<T>> {
     let all: Vec<Option<T>> = read.into_iter().collect();
     all.into_iter().collect()

@@ -1,8 +1,8 @@
 //! Suggestions for unknown words: a similar word, or the word for the same thing in other tools.
 
-/// The one of `known` that `name` was probably meant to be.
+/// The word in `known` that was probably meant by `name`.
 pub fn similar<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    // a name of one letter is close to all others of one letter
+    // a name of one letter would be similar to every other letter
     let tolerated = match name.chars().count() {
         0 | 1 => 0,
         2..=5 => 1,
@@ -20,7 +20,7 @@ pub fn similar<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
         .map(|(_, known)| known)
 }
 
-/// Each row lists words for one kind of joint: here, in files, and in other tools.
+/// Each row lists words for one kind of joint: those used here, in files, and in other tools.
 const JOINTS: [&[&str]; 10] = [
     &[
         "revolute",
@@ -56,7 +56,7 @@ const JOINTS: [&[&str]; 10] = [
     &["cylindrical", "cylinder", "pin_in_slot"],
 ];
 
-/// The known kind of joint that a word means elsewhere.
+/// The known kind of joint that a word means in other tools.
 fn joint_meant<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     let word = word.to_lowercase();
     let mut rows = JOINTS.iter().filter(|row| row.contains(&word.as_str()));
@@ -69,7 +69,7 @@ pub fn hint_of_joint(word: &str, known: &[&str]) -> String {
     meant.map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
 }
 
-/// Words of other tools, each with the word that means the same here.
+/// Words of other tools, each with the word for the same thing here.
 type Elsewhere = [(&'static str, &'static str)];
 
 const FUNCTIONS: &Elsewhere = &[
@@ -117,7 +117,7 @@ const KEYS: &Elsewhere = &[
     ("name", "doc"),
 ];
 
-/// Keys of systems alone.
+/// Keys that only systems have.
 const KEYS_OF_SYSTEMS: &Elsewhere = &[
     ("links", "bodies"),
     ("rigid_bodies", "bodies"),
@@ -130,27 +130,27 @@ fn meant(word: &str, elsewhere: &Elsewhere) -> Option<&'static str> {
     all.find_map(|(there, here)| (*there == word).then_some(*here))
 }
 
-/// The function of scalars or vectors that a word means elsewhere.
+/// The function of scalars or vectors that a word means in other tools.
 pub fn function_meant(word: &str) -> Option<&'static str> {
     meant(word, FUNCTIONS)
 }
 
-/// The method of vectors that a word means elsewhere.
+/// The method of vectors that a word means in other tools.
 pub fn vector_method_meant(word: &str) -> Option<&'static str> {
     meant(word, VECTOR_METHODS)
 }
 
-/// The built-in name that a word means elsewhere.
+/// The built-in name that a word means in other tools.
 pub fn name_meant(word: &str) -> Option<&'static str> {
     meant(word, NAMES)
 }
 
-/// The key that a word means elsewhere.
+/// The key that a word means in other tools.
 pub fn foreign_key_meant(word: &str) -> Option<&'static str> {
     meant(word, KEYS)
 }
 
-/// The list of a system that a word means elsewhere.
+/// The list of a system that a word means in other tools.
 pub fn foreign_list_meant(word: &str) -> Option<&'static str> {
     meant(word, KEYS_OF_SYSTEMS)
 }
@@ -160,7 +160,8 @@ pub fn hint<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String 
     similar(name, known).map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
 }
 
-/// The number of insertions, deletions, substitutions and exchanges of neighbors from `a` to `b`.
+/// The least number of insertions, deletions, substitutions and exchanges of neighbors that turn
+/// `a` into `b`.
 fn distance(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
     let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];

@@ -75,7 +75,7 @@ pub fn lower_description(
 }
 
 impl Lowering<'_> {
-    /// The mass and the inertia, which may change with some symbols alone.
+    /// The mass and the inertia. They may change with time and user-defined states only.
     fn substance(
         &mut self,
         description: &Description,
@@ -106,7 +106,7 @@ impl Lowering<'_> {
     }
 }
 
-/// The loads other than fields: unknown reactions, unknown drives, and given loads.
+/// The loads other than fields, in three lists: unknown reactions, unknown drives, and given loads.
 fn loads_by_kind(description: &Description) -> [Vec<&syntax::Load>; 3] {
     let mut kinds = [Vec::new(), Vec::new(), Vec::new()];
     let loads = description.loads.iter();
@@ -121,7 +121,7 @@ fn loads_by_kind(description: &Description) -> [Vec<&syntax::Load>; 3] {
     kinds
 }
 
-/// Names mass and inertia where they are computed.
+/// Names the mass and the inertia where they are computed.
 fn name_properties(model: &Model, labels: &mut Labels) {
     let entries = model.inertia_entries();
     let is_one = entries.len() == 1;

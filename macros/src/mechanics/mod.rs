@@ -1,7 +1,7 @@
 //! The physics: from a model to the equations of motion, and to the expressions of outputs.
 //!
-//! Conventions: position, velocity and linear acceleration of G in world axes;
-//! angular velocity and acceleration in body axes; moments about G unless a pole is named.
+//! Conventions: position, velocity and linear acceleration of G are in world axes; angular velocity
+//! and acceleration are in body axes; moments are about G unless a pole is named.
 
 mod answers;
 mod balances;
@@ -57,13 +57,13 @@ use crate::symbolic::{Components, Id};
 pub struct Equations {
     /// For a rod, the acceleration of its axis takes the place of the angular one.
     pub accelerations: Pair,
-    /// The form of Euler's equations, if they are solved in space.
+    /// The form of Euler's equations, if these are solved in space.
     form: Option<EulerForm>,
-    /// The unknown loads of the constraints, world axes.
+    /// The solutions for unknown reactions, in world axes.
     pub reactions: Vec<Components>,
-    /// The distance of a state from each constraint.
+    /// How far a state is from satisfying each constraint.
     pub constraints: Vec<Consistency>,
-    /// When the equations change by a condition on time.
+    /// The times at which the equations change because of a condition on time.
     pub switches: Vec<Switch>,
     /// Loads that may have no value.
     pub partial: Vec<Partial>,
@@ -74,14 +74,14 @@ pub struct Equations {
 pub struct Report {
     /// The balances of its bodies.
     pub laws: Vec<Law>,
-    /// Its properties, under headings; some of these may be empty.
+    /// Its properties, under headings. Some lists may be empty.
     pub lists: Vec<(&'static str, Vec<String>)>,
     /// The terms that are not computed, and the reasons.
     pub skipped: Vec<String>,
 }
 
-/// Derives the equations of motion. In the returned model, loads that depend on accelerations are
-/// functions of the state.
+/// Derives the equations of motion. In the returned model, loads that depend on accelerations have
+/// become functions of the state.
 pub fn derive_equations(
     model: Model,
     work: &mut Workspace,
@@ -127,7 +127,7 @@ pub fn derive_equations(
 }
 
 impl Equations {
-    /// The symbols of accelerations and reactions, and their solutions.
+    /// The symbols of accelerations and reactions, each with its solution.
     pub fn solved(&self, model: &Model, work: &Workspace) -> Vec<(Id, Id)> {
         let Pair { linear, angular } = self.accelerations;
         let turning = if model.motion.is_line() {
@@ -151,7 +151,7 @@ impl Equations {
         accelerations.chain(reactions).collect()
     }
 
-    /// Properties that integrators can use; derived once.
+    /// The properties that integrators can use, derived once.
     pub fn structure(&self, model: &Model, work: &mut Workspace) -> &Structure {
         let derive = || derive_structure(model, work, self.accelerations);
         self.structure.get_or_init(derive)

@@ -1,5 +1,5 @@
-//! The meaning of a description: names resolved, frames and dimensions checked, loads and inertia
-//! in the graph.
+//! The meaning of a description: names are resolved, frames and dimensions are checked, loads and
+//! inertia are in the graph.
 //!
 //! The [`Outline`] of a body always exists; its [`Model`] exists if there were no errors.
 
@@ -35,25 +35,25 @@ use crate::symbolic::{Components, Graph, Id};
 #[derive(Clone)]
 pub struct Model {
     pub motion: Motion,
-    /// The number of given derivatives of each input: they are declared after it.
+    /// The number of given derivatives of each input, which are declared after it.
     pub derivatives: Vec<usize>,
     pub state: State,
     /// User-defined states.
     pub states: Vec<Own>,
     pub mass: Option<Id>,
     pub inertia: Inertia,
-    /// Its equations must be differentiated.
+    /// Whether its equations have to be differentiated.
     pub is_differentiated: bool,
-    /// An inertia was given for a body that does not rotate.
+    /// Whether an inertia was given for a body that does not rotate.
     pub has_idle_inertia: bool,
     pub loads: Vec<Load>,
-    /// The same by the symbols of accelerations, if any loads depend on these.
+    /// If loads depend on accelerations: the loads as functions of the symbols of accelerations.
     pub following: Vec<Load>,
     /// Potentials and fields that become loads by differentiation.
     pub potentials: Potentials,
     /// Loads with unknown components.
     pub reactions: Vec<Reaction>,
-    /// Drives with unknown components, which are zero in the accelerations.
+    /// Drives with unknown components, which are zero for the accelerations.
     pub drives: Vec<Reaction>,
     /// The constraints of the motion, as scalars.
     pub constraints: Vec<Constraint>,
@@ -64,7 +64,7 @@ pub struct Model {
 }
 
 impl Model {
-    /// A body under these loads, of which nothing else is known.
+    /// A body under these loads, without anything else.
     pub fn of(
         motion: Motion,
         state: State,
@@ -93,19 +93,19 @@ impl Model {
         }
     }
 
-    /// The mass, if G has coordinates of its own.
+    /// The mass, if G has its own coordinates.
     pub fn moved_mass(&self) -> Option<Id> {
         self.mass.filter(|_| self.motion.translates())
     }
 
-    /// The direction of the axis of a hinge, body axes; in the plane, z.
+    /// The direction of the axis of a hinge, in body axes; in the plane, z.
     pub fn hinge(&self, graph: &mut Graph) -> Option<Components> {
         let support = self.state.support.filter(|_| self.motion.is_hinged())?;
         let z = [0, 0, 1].map(|component| graph.integer(component));
         Some(support.direction.unwrap_or(z))
     }
 
-    /// Mass and inertia of the body with this name.
+    /// The mass and the inertia of the body.
     pub fn substance(&self) -> Substance {
         Substance {
             name: None,
@@ -114,13 +114,13 @@ impl Model {
         }
     }
 
-    /// The entries xx, yy, zz, xy, yz, zx of the inertia, or that of a planar body.
+    /// The entries xx, yy, zz, xy, yz, zx of the inertia, or the single moment of a planar body.
     pub fn inertia_entries(&self) -> Vec<Id> {
         self.inertia.distinct_entries()
     }
 }
 
-/// The rates of `.moving` inputs: each part with its rate.
+/// The components of `.moving` inputs, each with its rate.
 pub fn input_rates(work: &Workspace, derivatives: &[usize]) -> Vec<(Id, Id)> {
     let moving = derivatives.iter().enumerate();
     let moving = moving.filter(|(_, given)| **given > 0);

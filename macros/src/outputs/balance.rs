@@ -1,4 +1,4 @@
-//! `balance`: the balances as they are written, given loads, resultants and residuals.
+//! `balance`: the balances as written, given loads, resultants and residuals.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -19,7 +19,7 @@ const OFFER: Offer = Offer {
     ..Offer::new("balance")
 };
 
-/// Of each body, in the order in which they are written.
+/// The balances of each body, in the order in which the bodies are written.
 #[derive(Default)]
 pub struct Balance(Option<Vec<mechanics::Balance>>);
 
@@ -66,7 +66,7 @@ impl<S: Subject> Output<S> for Balance {
         let types = quote!(type Wrench = #wrench; type Reactions = #reactions; type Loads = #list;);
         let addition = Addition::implement(site, "Balance", [types, quote!()], &methods);
         let addition = lists.beside(site, wrenches.beside(site, addition));
-        // the reactions of joints that are handed in, if they are not there yet
+        // callers pass in the reactions of joints: add their struct, unless `reactions` does
         let outline = site.outline;
         let is_there = outline.rank("reactions").is_some() || !outline.has_reactions();
         if is_there || !outline.is_system {
@@ -78,7 +78,7 @@ impl<S: Subject> Output<S> for Balance {
 }
 
 impl Balance {
-    /// The resultants of each body: given loads, and residuals.
+    /// The methods for the resultants of each body: those of the given loads, and the residuals.
     fn wrenches(&self, site: &Site<'_>) -> (PerBody, Method, Method) {
         let shapes = &site.shapes;
         let doc = format!(
@@ -102,7 +102,7 @@ impl Balance {
         (each, applied, residual)
     }
 
-    /// The given loads on each body.
+    /// The method for the lists of given loads on each body.
     fn lists(&self, site: &Site<'_>) -> (PerBody, Method) {
         let shapes = &site.shapes;
         let load = shapes.load_type();

@@ -8,7 +8,7 @@ use crate::emit::code::{Site, Values};
 use crate::emit::items::{Addition, Field, Record};
 use crate::model::Outline;
 
-/// The loads that joints carry, by name.
+/// A struct with the loads that joints carry, by name.
 pub fn reactions_by_name(site: &Site<'_>) -> Record {
     let (shapes, outline) = (&site.shapes, site.outline);
     let (wrench, scalar) = (shapes.wrench_type(), shapes.scalar.kind());
@@ -16,7 +16,7 @@ pub fn reactions_by_name(site: &Site<'_>) -> Record {
     let kept = outline.kept.iter().filter(|name| outline.is_held(name));
     let scalars = driving_of(outline).map(|(_, name)| name).chain(kept);
     let scalars = scalars.map(|name| Field::new(name, scalar.clone()));
-    // names that collide are reported, and are one field in the stub
+    // colliding names are reported; the stub has one field for them
     let mut seen = HashSet::new();
     let fields = wrenches.chain(scalars);
     let fields = fields.filter(|field| seen.insert(field.name.to_string()));
@@ -42,15 +42,15 @@ pub fn driving_of(outline: &Outline) -> impl Iterator<Item = &(Ident, Ident)> {
     all.filter(|(joint, _)| outline.is_held(joint))
 }
 
-/// One item for each body: a struct with a field for each body of a system, or the item itself for
-/// a single body.
+/// One item for each body. For a system it is a struct with a field for each body, for a single
+/// body the item itself.
 pub enum PerBody {
     Alone(TokenStream),
     Each(Record),
 }
 
 impl PerBody {
-    /// `BodyLoads { upper: kind(0), .. }`, documented, or `kind(0)`.
+    /// `BodyLoads { upper: kind(0), .. }` with documentation, or `kind(0)`.
     pub fn new(
         site: &Site<'_>,
         (suffix, doc): (&'static str, &str),
@@ -87,7 +87,7 @@ impl PerBody {
         }
     }
 
-    /// The item of each body, by its index, filled from the next values.
+    /// The items of all bodies, each made for the index of its body from the next values.
     pub fn filled(
         &self,
         site: &Site<'_>,

@@ -17,7 +17,7 @@ const OFFER: Offer = Offer {
     ..Offer::new("constant")
 };
 
-/// The accelerations with the defaults of all params.
+/// The accelerations, with every parameter at its default.
 #[derive(Default)]
 pub struct Constant(Option<Vec<Id>>);
 
@@ -84,7 +84,7 @@ impl<S: Subject> Output<S> for Constant {
         let (body, applied) = (&outline.name, site.shapes.scalar.applied());
         let (lints, mut content) = (method.lints(), method.body.clone());
         if self.0.is_none() {
-            // the body for an invalid description
+            // a stub for an invalid description
             content = quote!([0.0; #found]);
         }
         Addition {
@@ -117,7 +117,7 @@ fn listed(names: &[String]) -> String {
     names.join(", ")
 }
 
-/// The obstacles to evaluation in a constant, each once.
+/// What prevents evaluation in a constant, each obstacle once.
 fn obstacles(work: &Workspace, outline: &Outline, roots: &[Id]) -> Vec<String> {
     let graph = &work.graph;
     let mut found: Vec<String> = Vec::new();

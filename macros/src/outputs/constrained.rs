@@ -1,5 +1,4 @@
-//! Violations of constraints, their check, and the projection, for bodies whose motion is under
-//! constraints.
+//! Violations of constraints, the check for them, and the projection, for bodies under constraints.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -16,7 +15,7 @@ use super::subject::Subject;
 #[derive(Default)]
 pub struct Constrained(Option<Kept>);
 
-/// The constraints of a motion, and the rounding of each.
+/// The constraints of a motion, and the size of the rounding error in each.
 struct Kept {
     constraints: Vec<Consistency>,
     reach: Vec<Reach>,

@@ -6,7 +6,7 @@ use crate::symbolic::{Foreign, Id, Node};
 
 use super::output::{Listed, Output};
 
-/// Reports the missing derivatives that an output needs, at its request.
+/// Reports derivatives that an output needs and that are not given, at the word that requests it.
 pub fn check_output<S: Listed>(
     output: &dyn Output<S>,
     outline: &Outline,
@@ -20,7 +20,7 @@ pub fn check_output<S: Listed>(
     check_slopes(work, &output.roots(), (&needs, outline.place(word)), errors)
 }
 
-/// Reports the derivatives that the equations would need, at the functions.
+/// Reports derivatives that the equations need and that are not given, at the functions.
 pub fn check_equations(work: &Workspace, roots: &[Id], errors: &mut Errors) -> Option<()> {
     let needs = "potentials, constraints and what moves joints are differentiated, here";
     check_slopes(work, roots, (needs, None), errors)
@@ -53,7 +53,7 @@ fn check_slopes(
     missing.is_empty().then_some(())
 }
 
-/// The missing derivatives, and the remedy.
+/// Which derivatives are missing, and what to write.
 fn advice(function: &ForeignFunction, itself: Foreign, missing: &[Foreign]) -> String {
     let name = &function.name;
     let order = |which: &Foreign| which.orders().iter().sum::<u32>();
@@ -69,8 +69,9 @@ fn advice(function: &ForeignFunction, itself: Foreign, missing: &[Foreign]) -> S
     )
 }
 
-/// The derivatives that are missing, with those that are given: `.derivatives(lift_by_alpha, _)`.
-/// The arguments of each are in order, as the order of differentiations does not matter.
+/// The missing derivatives together with the given ones: `.derivatives(lift_by_alpha, _)`. Since
+/// the order of differentiations does not matter, each is written once, with its arguments in
+/// order.
 fn written(
     function: &ForeignFunction,
     (which, by): (Foreign, &[usize]),

@@ -1,6 +1,6 @@
-//! Outputs: the generated code beyond the accelerations. One file for each, with its derivation,
-//! its code and its documentation. Outputs of both bodies and systems are here, the others in
-//! `body` and `system`.
+//! Outputs: the generated code beyond the accelerations. Each output is one file, with its
+//! derivation, its code and its documentation. Outputs that both bodies and systems have are here,
+//! the others in `body` and `system`.
 
 mod balance;
 mod body;
@@ -41,7 +41,7 @@ pub fn offers<S: Listed>() -> Vec<&'static Offer> {
 /// The outputs of a body, or of a system.
 pub struct Outputs<S: Listed>(Vec<Box<dyn Output<S>>>);
 
-/// The requested outputs before their derivation, which is what a description with mistakes gets.
+/// The requested outputs before their derivation; an invalid description gets these.
 pub fn wanted<S: Listed>(outline: &Outline) -> Outputs<S> {
     let all = S::outputs().into_iter();
     let is_meaningless = |offer: &Offer| offer.is_of_motion && outline.is_still();
@@ -89,7 +89,7 @@ impl<S: Listed> Outputs<S> {
         self.0.iter().find_map(|output| output.tensor())
     }
 
-    /// Adds to a report the properties of the outputs, and those that were not requested.
+    /// Adds to a report what the outputs say about themselves, and which were not requested.
     pub fn describe(
         &self,
         outline: &Outline,
@@ -110,8 +110,8 @@ impl<S: Listed> Outputs<S> {
         }
     }
 
-    /// The code of all outputs, in their places. Operations are listed first for the requested
-    /// ones.
+    /// The code of all outputs, each in its place. The structs and operation counts of the
+    /// requested outputs are listed first.
     pub fn emit(&self, site: &Site<'_>) -> Addition {
         let mut placed: Vec<_> = self
             .0

@@ -10,20 +10,20 @@ use crate::symbolic::Id;
 
 use super::subject::Subject;
 
-/// A part of the generated code of a body or a system, from its derivation to its
-/// documentation. It begins empty, which is what an invalid description gets.
+/// A part of the generated code of a body or a system, from derivation to documentation. It begins
+/// empty; for an invalid description it stays so.
 pub trait Output<S: Subject> {
-    /// Its request; none for outputs that every body has.
+    /// How it is requested; `None` for outputs that every body has.
     fn offer(&self) -> Option<&'static Offer> {
         None
     }
 
-    /// Its place in a body; none if the body does not have it.
+    /// Its place in a body; `None` if the body does not have it.
     fn place(&self, outline: &Outline) -> Option<Place> {
         outline.rank(self.offer()?.word).map(Place::Asked)
     }
 
-    /// Derives its expressions. `None` if there is no body, as the errors say.
+    /// Derives its expressions. `None` means that there is no body; the errors say why.
     fn derive(&mut self, basis: &mut Basis<'_, S>) -> Option<()>;
 
     /// The expressions that code is generated for.
@@ -36,7 +36,7 @@ pub trait Output<S: Subject> {
         None
     }
 
-    /// Adds its report, and the terms that it leaves out.
+    /// Adds what it reports, and the terms that it leaves out.
     fn describe(&self, _model: &S, _work: &Workspace, _report: &mut Report) {}
 
     /// Implements its trait.
@@ -45,10 +45,10 @@ pub trait Output<S: Subject> {
 
 /// A subject with a list of outputs.
 pub trait Listed: Subject {
-    /// In the order of derivation.
+    /// The outputs, in the order of derivation.
     fn outputs() -> Vec<Box<dyn Output<Self>>>;
 
-    /// In the order of the offers.
+    /// The outputs, in the order in which they are offered.
     fn offered() -> Vec<Box<dyn Output<Self>>>;
 }
 
@@ -56,12 +56,12 @@ pub trait Listed: Subject {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Place {
     First,
-    /// In the order of the request.
+    /// In the order in which outputs are requested.
     Asked(usize),
     Last,
 }
 
-/// The inputs of the derivation of an output.
+/// What an output is derived from.
 pub struct Basis<'a, S: Subject> {
     pub outline: &'a Outline,
     pub model: &'a S,

@@ -1,4 +1,4 @@
-//! Rotations in closed form, as code: a path of the runtime, and its start.
+//! Rotations in closed form, as code: a path of the runtime that begins at a state.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -7,7 +7,7 @@ use crate::emit::code::{PRINCIPAL_AXES, Shapes, Values, local};
 use crate::lower::{FLOW, Offer};
 use crate::mechanics::{Free, Rotation};
 
-/// The request for closed forms.
+/// How closed forms are requested.
 pub const OFFER_OF_FLOW: Offer = Offer {
     obstacle: |description| {
         let has_states = !description.states.is_empty();
@@ -21,11 +21,11 @@ pub const OFFER_OF_FLOW: Offer = Offer {
 /// The start of a rotation.
 pub struct Start<'a> {
     pub shapes: &'a Shapes,
-    /// The state: of a body, or of a joint.
+    /// The state of the body or the joint.
     pub place: TokenStream,
     /// The same, as a reference.
     pub reference: TokenStream,
-    /// Its center of mass moves, too.
+    /// Whether its center of mass moves, too.
     pub translates: bool,
 }
 
@@ -45,7 +45,7 @@ pub fn rotation_type(shapes: &Shapes, rotation: &Rotation) -> Option<TokenStream
 }
 
 impl Start<'_> {
-    /// The path of a rotation, from the next values.
+    /// The path of a rotation, which takes the next values.
     pub fn rotation(&self, rotation: &Rotation, values: &mut Values<'_>) -> Option<TokenStream> {
         let (private, place) = (&self.shapes.private, &self.place);
         Some(match rotation {
@@ -90,8 +90,8 @@ impl Start<'_> {
         self.turning("Hinge", "angle")
     }
 
-    /// `state`, or if the center of mass moves, too, `&Rotation { attitude: state.attitude,
-    /// angular_velocity: state.angular_velocity }`
+    /// `state`; or, if the center of mass moves too,
+    /// `&Rotation { attitude: state.attitude, angular_velocity: state.angular_velocity }`.
     fn turning(&self, kind: &str, coordinate: &str) -> TokenStream {
         let (private, place) = (&self.shapes.private, &self.place);
         let (kind, coordinate) = (format_ident!("{kind}"), format_ident!("{coordinate}"));
@@ -102,7 +102,7 @@ impl Start<'_> {
         }
     }
 
-    /// `FreeRotation::principal([..], [[..], [..], [..]], state)` and so on.
+    /// `FreeRotation::principal([..], [[..], [..], [..]], state)`, and so on.
     fn free(&self, free: &Free, values: &mut Values<'_>) -> TokenStream {
         let private = &self.shapes.private;
         let state = self.turning("Rotation", "attitude");
@@ -134,7 +134,7 @@ impl Start<'_> {
     }
 }
 
-/// `[..]` of the next values.
+/// `[..]`, filled from the next values.
 pub fn list(values: &mut Values<'_>, count: usize) -> TokenStream {
     let part = values.take(count);
     quote!([#(#part),*])

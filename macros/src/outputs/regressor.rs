@@ -1,4 +1,5 @@
-//! `regressor`: the loads of a motion by inertial parameter, a matrix for each body.
+//! `regressor`: how the loads of a motion depend on the inertial parameters, a matrix for each
+//! body.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -19,7 +20,7 @@ const OFFER: Offer = Offer {
     ..Offer::new("regressor")
 };
 
-/// For each body, in the order of the description.
+/// The regressor of each body, in the order of the description.
 #[derive(Default)]
 pub struct Regressor(Option<Vec<mechanics::Regressor>>);
 
@@ -103,7 +104,7 @@ impl Regressor {
     }
 }
 
-/// The number of balances along which a body moves, or of those that its joints leave free.
+/// The number of balances along the free directions of a body, or of all joints of a system.
 fn rows(outline: &Outline) -> usize {
     if outline.is_system {
         return outline.freedoms();

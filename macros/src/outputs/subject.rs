@@ -1,4 +1,5 @@
-//! The subjects of outputs: a single body, or a system. Outputs common to both are written once.
+//! What outputs are derived for: a single body or a system. Outputs common to both are written
+//! once.
 
 use crate::emit::code::Shapes;
 use crate::emit::items::Equated;
@@ -23,14 +24,14 @@ use crate::symbolic::Id;
 pub trait Subject: Tangent + Sized + 'static {
     type Equations;
 
-    /// Its equations of motion, with potentials turned into loads. `None` if there are none, as the
-    /// errors say.
+    /// Its equations of motion, with potentials turned into loads. `None` if there are none; the
+    /// errors say why.
     fn derive(self, work: &mut Workspace, errors: &mut Errors) -> Option<(Self, Self::Equations)>;
 
-    /// The properties of its equations, and the terms that were dropped.
+    /// The properties of its equations, and the dropped terms.
     fn describe(&self, work: &mut Workspace, equations: &Self::Equations) -> Report;
 
-    /// Its accelerations, in the order of the state, and their switches.
+    /// Its accelerations in the order of the state, and the times at which they switch.
     fn equated(&self, outline: &Outline, equations: &Self::Equations) -> Equated;
 
     /// The mass and inertia of its bodies.
@@ -44,10 +45,10 @@ pub trait Subject: Tangent + Sized + 'static {
     /// Its claims about the motion.
     fn checks(&self) -> &Checks;
 
-    /// Symbols of accelerations and loads that are solved for, and their solutions.
+    /// The symbols of accelerations and loads that are solved for, each with its solution.
     fn solved(&self, work: &Workspace, equations: &Self::Equations) -> Vec<(Id, Id)>;
 
-    /// The quantities of the motion available to checks: symbols, and their expressions.
+    /// The symbols of the quantities that checks may use, each with its expression.
     fn answers(&self, work: &mut Workspace, equations: &Self::Equations) -> Vec<(Id, Id)> {
         let Some(asked) = self.checks().answers else {
             return Vec::new();
@@ -64,7 +65,7 @@ pub trait Subject: Tangent + Sized + 'static {
         all.chain(linear).chain(angular).chain(held).collect()
     }
 
-    /// The symbols of the loads that joints carry, and their expressions.
+    /// The symbols of the loads that joints carry, each with its expression.
     fn held(&self, _: &mut Workspace, _: &Self::Equations) -> Vec<(Id, Id)> {
         Vec::new()
     }
@@ -84,14 +85,14 @@ pub trait Subject: Tangent + Sized + 'static {
         outline: &Outline,
     ) -> Vec<Balance>;
 
-    /// The constraints of the motion, and the bound of rounding in each.
+    /// The constraints of the motion, each with a bound of its rounding error.
     fn constraints(
         &self,
         work: &mut Workspace,
         equations: &Self::Equations,
     ) -> Vec<(Consistency, Reach)>;
 
-    /// The recurrences of series, if they exist.
+    /// The recurrences of its Taylor series, if they exist.
     fn taylor(
         &self,
         work: &mut Workspace,
@@ -111,7 +112,7 @@ pub trait Subject: Tangent + Sized + 'static {
         equations: &Self::Equations,
     ) -> Vec<Regressor>;
 
-    /// Whether the coordinates of a joint, by its number in the state, are in world axes.
+    /// Whether the coordinates of a joint, given by its index in the state, are in world axes.
     fn is_in_world(&self, joint: usize) -> bool;
 }
 
@@ -231,7 +232,8 @@ impl Subject for System {
     }
 
     fn equated(&self, _: &Outline, equations: &SystemEquations) -> Equated {
-        // the state has the joints as they are written, the tree each after its carrier
+        // the state has the joints in the order in which they are written, the tree has each after
+        // its carrier
         let written = self.written.iter();
         let accelerations = written.flat_map(|joint| equations.accelerations[*joint].clone());
         Equated {
@@ -328,7 +330,7 @@ impl Subject for System {
 }
 
 impl System {
-    /// One item for each body, in the order of the outline.
+    /// One item for each body, sorted into the order of the outline.
     fn as_written<T>(&self, outline: &Outline, all: Vec<T>) -> Vec<T> {
         let mut named: Vec<_> = self.bodies.iter().map(|body| &body.name).zip(all).collect();
         named.sort_by_key(|(name, _)| outline.bodies.iter().position(|body| body == *name));
@@ -340,7 +342,7 @@ fn rates(states: &[Own]) -> Vec<Id> {
     states.iter().map(|state| state.rate).collect()
 }
 
-/// The fields that neither are potentials nor have one.
+/// The fields that are neither potentials nor derivable from one.
 fn without_potential<'l>(
     work: &Workspace,
     body: Frame,

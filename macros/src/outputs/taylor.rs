@@ -1,5 +1,5 @@
-//! `taylor`: series of the motion, by the recurrences of its coefficients. In doubles, even for
-//! a generic body.
+//! `taylor`: Taylor series of the motion, from the recurrences of its coefficients. They are
+//! computed in doubles, even for a generic body.
 
 use proc_macro2::Literal;
 use quote::quote;

@@ -1,9 +1,9 @@
 //! Expressions: a hash-consed graph with simplifying constructors over exact numbers.
 //!
-//! This room knows no mechanics and no words: symbols are numbers, and their meanings belong to
-//! the model. It adds to `std` and dashu: exact folding, three stages of evaluation,
-//! vectors, derivatives, linear equations, eigenvalues, a schedule, a cost and an interpreter, and
-//! the proof that an expression is zero.
+//! This room knows no mechanics and no words: symbols are numbers, and their meanings belong to the
+//! model. On top of `std` and dashu it provides exact folding, three stages of evaluation, vectors,
+//! derivatives, linear equations, eigenvalues, a schedule, a cost and an interpreter, and the proof
+//! that an expression is zero.
 
 mod algebra;
 mod calculus;

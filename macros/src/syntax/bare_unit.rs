@@ -7,9 +7,9 @@ use crate::units::{is_unit, unit_and_exponent};
 
 use super::words::is_keyword;
 
-/// A unit without brackets at the beginning of some tokens.
+/// A unit without brackets, at the beginning of a list of tokens.
 pub struct BareUnit {
-    /// As it belongs in brackets: `kg * m ^ 2`.
+    /// As it should be written in brackets: `kg * m ^ 2`.
     pub written: String,
     /// The number of its tokens.
     pub length: usize,
@@ -17,7 +17,7 @@ pub struct BareUnit {
 }
 
 impl BareUnit {
-    /// The longest unit that begins with `word`, which `after` follows.
+    /// The longest unit that begins with `word` and continues in the tokens `after` it.
     pub fn read(word: &Ident, after: &[TokenTree]) -> Self {
         let mut unit = Self {
             written: factor(word),
@@ -35,7 +35,7 @@ impl BareUnit {
         unit
     }
 
-    /// Reads `^ 2`, `^ -2` or `^ (3/2)`, if it follows.
+    /// Reads `^ 2`, `^ -2` or `^ (3/2)`, if that comes next.
     fn exponent(&mut self, after: &[TokenTree]) {
         let [hat, rest @ ..] = &after[self.length - 1..] else {
             return;
@@ -58,7 +58,7 @@ impl BareUnit {
     }
 }
 
-/// Whether a word is meant as the unit of the operand that ends before it.
+/// Whether a word is probably meant as the unit of the operand just before it.
 pub fn lacks_brackets(before: Option<&TokenTree>, word: &Ident) -> bool {
     match before {
         Some(TokenTree::Literal(_)) => !is_keyword(&word.to_string()),
@@ -75,7 +75,7 @@ pub fn is_unit_word(word: &Ident) -> bool {
     is_unit(&word) || unit_and_exponent(&word).is_some()
 }
 
-/// A unit as it belongs in brackets: `s ^ 2` for `s2`.
+/// A unit as it should be written in brackets: `s ^ 2` for `s2`.
 fn factor(word: &Ident) -> String {
     let word = word.to_string();
     match unit_and_exponent(&word) {
@@ -88,7 +88,7 @@ fn is_sign(token: &TokenTree, sign: char) -> bool {
     matches!(token, TokenTree::Punct(punct) if punct.as_char() == sign)
 }
 
-/// The next factor, the sign that belongs before it, and the number of their tokens.
+/// The next factor, the sign that goes before it, and the number of their tokens.
 fn next(rest: &[TokenTree]) -> Option<(char, &Ident, usize)> {
     let (sign, word, after) = match rest {
         [TokenTree::Ident(word), after @ ..] => ('*', word, after),

@@ -1,4 +1,4 @@
-//! Expressions: the subset of Rust's that a description may use.
+//! Expressions: the subset of Rust's expressions that a description may use.
 
 use proc_macro2::Ident;
 
@@ -19,11 +19,11 @@ pub enum Kind {
     /// The digits of a literal.
     Number(String),
     Name(Ident),
-    /// A string: the name of a file, or of a column of it.
+    /// A string: the name of a file, or of one of its columns.
     Text(String),
     /// `_`
     Placeholder,
-    /// Unreadable, and reported: it has no value, but its surroundings are still
+    /// Unreadable and already reported. It has no value, but the expression around it is still
     /// checked.
     Poisoned,
     /// `(x, y, z)`
@@ -63,7 +63,7 @@ pub enum Prefix {
     Not,
 }
 
-/// Operators between two operands.
+/// Operators with two operands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Operator {
     Add,
@@ -83,7 +83,7 @@ pub enum Operator {
 /// A function or a method, with its arguments.
 pub type Called<'e> = (&'e Ident, &'e [Expression]);
 
-/// `kind(arguments)`, and the methods after it.
+/// `kind(arguments)`, and the methods called on it.
 pub fn call(value: &Expression) -> Option<(Called<'_>, Vec<Called<'_>>)> {
     let mut methods = Vec::new();
     let mut inner = value;

@@ -14,7 +14,7 @@ const TYPES: [&str; 19] = [
     "u64", "u128", "usize", "bool", "char", "str",
 ];
 
-/// The runtime's path, the name of the body, and the content of the braces.
+/// The path of the runtime, the name of the body, and the content of the braces.
 pub fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Description, TokenStream)> {
     let all: Vec<TokenTree> = tokens.into_iter().collect();
     let [TokenTree::Group(runtime), rest @ ..] = all.as_slice() else {
@@ -59,7 +59,7 @@ pub fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Descripti
     Some((description, body.stream()))
 }
 
-/// Skips tokens that Rust would have before the name, but that are not allowed here.
+/// Skips and reports tokens that Rust would allow before a name.
 fn from_name<'t>(tokens: &'t [TokenTree], errors: &mut Errors) -> Option<&'t [TokenTree]> {
     match tokens {
         [hash, ..] if is_punct(hash, '#') => {
@@ -87,8 +87,8 @@ fn from_name<'t>(tokens: &'t [TokenTree], errors: &mut Errors) -> Option<&'t [To
     }
 }
 
-/// `::<T>` between the name and its brace: the scalar over which the body is generic, with some
-/// name if one was intended.
+/// `::<T>` between the name and its brace: the scalar over which the body is generic. If it is
+/// malformed, any name stands in for it.
 fn parse_scalar(name: &Ident, between: &[TokenTree], errors: &mut Errors) -> Option<Ident> {
     let first = between.first()?;
     if !is_punct(first, '<') && !is_punct(first, ':') {

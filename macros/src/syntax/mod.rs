@@ -1,8 +1,8 @@
 //! The syntax of a description: its keys, entries and expressions, with their places.
 //!
-//! Each bracket is split at its commas and every entry is parsed alone, so a bad entry hides
-//! nothing: it is reported, and the name that it would have defined stays known, without a value.
-//! Nothing is looked up here and nothing has a meaning yet.
+//! Each bracket is split at its commas, and every entry is parsed alone, so that a bad entry hides
+//! no others. It is reported, and the name that it would have defined stays known, without a value.
+//! Nothing is looked up here, and nothing has a meaning yet.
 
 mod bare_unit;
 mod entries;
@@ -36,24 +36,24 @@ pub use words::BUILT_IN;
 #[derive(Clone)]
 pub struct Description {
     pub name: Ident,
-    /// It has no mass: a link of a file that marks a place.
+    /// Whether it has no mass, as a link of a file that only marks a place.
     pub is_frame: bool,
-    /// Names of points from a file, which may be unused.
+    /// Names of points that come from a file; they need not be used.
     pub given: Vec<String>,
     /// The scalar over which the body is generic.
     pub scalar: Option<Ident>,
-    /// The path of the runtime, as passed by the wrapper of the macro.
+    /// The path of the runtime, as the wrapper macro passes it.
     pub runtime: TokenStream,
-    /// The keys as written, known or not, each once.
+    /// All keys as written, known or unknown, each once.
     pub keys: Vec<Ident>,
-    /// Names of entries that could not be read, which is reported: references to them cause no
-    /// further errors.
+    /// Names of entries that could not be read. This is already reported, so references to them
+    /// cause no further errors.
     pub lost: Vec<String>,
     pub doc: Vec<String>,
     pub motion: Option<Motion>,
     pub mass: Option<Written>,
     pub inertia: Option<Written>,
-    /// `inertia: compose([..])`, which is mass, G and inertia together.
+    /// `inertia: compose([..])`, which gives mass, G and inertia together.
     pub composition: Option<Composition>,
     /// Rust constants and functions of the user.
     pub constants: Vec<Constant>,
@@ -119,16 +119,17 @@ impl Description {
     }
 }
 
-/// The value of a key, or of an entry: `None` was reported and causes no further errors.
+/// The value of a key or of an entry. `None` means that an error was reported; it causes no further
+/// errors.
 pub type Value = Option<Expression>;
 
-/// `key: value` of a given key.
+/// `key: value`, for a known key.
 #[derive(Clone)]
 pub struct Written {
     pub value: Value,
 }
 
-/// `motion: word`, or `motion: word(arguments)` of a body with a support, or of a rod.
+/// `motion: word`; for a body with a support, or a rod, `motion: word(arguments)`.
 #[derive(Clone)]
 pub struct Motion {
     pub word: Ident,
@@ -153,7 +154,8 @@ pub struct Declaration {
     pub value: Option<Value>,
     /// `.moving`, after the name of an input that is given with its rate and acceleration.
     pub moving: Option<Ident>,
-    /// 1 for a rate and 2 for an acceleration: they are declared with the `.moving` input.
+    /// 1 for the rate and 2 for the acceleration of a `.moving` input, which are declared with it;
+    /// else 0.
     pub order: usize,
 }
 

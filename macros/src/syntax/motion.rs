@@ -1,4 +1,4 @@
-//! The value of `motion:`: a word, and for a support or a rod its arguments in parentheses.
+//! The value of `motion:`: a word; for a support or a rod, with arguments in parentheses.
 
 use proc_macro2::{Delimiter, Ident, TokenTree};
 
@@ -10,12 +10,12 @@ use super::{Motion, Support};
 
 /// Kinds of motion about a support.
 pub const SUPPORTS: [&str; 3] = ["pivot", "fixed_point", "fixed_axis"];
-/// The kind of motion that has an axis, and no support.
+/// The kind of motion that takes an axis but no support.
 pub const ROD: &str = "rod";
 
 pub fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Motion> {
     match value {
-        // tokens passed on by another macro
+        // a group without delimiters: tokens passed on by another macro
         [TokenTree::Group(group)] if group.delimiter() == Delimiter::None => {
             let inner: Vec<TokenTree> = group.stream().into_iter().collect();
             parse_motion(&inner, errors)
@@ -49,7 +49,7 @@ pub fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Motion> 
     }
 }
 
-/// Whether a word is a kind of support, or was meant to be one.
+/// Whether a word is a kind of support, or is meant to be one.
 fn is_support(word: &str) -> bool {
     SUPPORTS.contains(&word) || similar(word, SUPPORTS).is_some()
 }

@@ -1,4 +1,4 @@
-//! From tokens to an [`Expression`], by way of syn's tree.
+//! From tokens to an [`Expression`], via the syntax tree of syn.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::ToTokens;
@@ -16,7 +16,7 @@ impl Expression {
     pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Self> {
         let last = tokens.clone().into_iter().last()?.span();
         let Screened { tokens, units } = screen(tokens, errors)?;
-        // inside a group, syn reports tokens missing at the end on the last token
+        // syn reports missing tokens at the span of the group, so that becomes the last token
         let mut group = Group::new(Delimiter::Parenthesis, tokens);
         group.set_span(last);
         let parsed = complete.parse2(TokenTree::Group(group).into());
@@ -25,7 +25,7 @@ impl Expression {
     }
 }
 
-/// An expression in its group, and nothing else.
+/// An expression that fills its group.
 fn complete(input: ParseStream<'_>) -> syn::Result<Expr> {
     let content;
     parenthesized!(content in input);
@@ -207,7 +207,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Unwinds the left spine in a loop: a long sum becomes flat.
+    /// Walks the left side of nested operations in a loop, so that a long sum becomes one flat
+    /// chain.
     fn chain(&mut self, expr: &Expr, depth: usize) -> Kind {
         let mut rest = Vec::new();
         let mut first = expr;
@@ -222,7 +223,7 @@ impl Reader<'_> {
             .into_iter()
             .rev()
             .map(|(operator, place, operand)| Step {
-                // next to an invalid operator, nothing has a value
+                // an operand of an invalid operator has no value
                 operand: match operator {
                     Some(_) => operand,
                     None => Expression {
@@ -303,7 +304,7 @@ const FORMS: &str = "not part of the language of descriptions: write arithmetic,
                      or the name of a local";
 const OPERATORS: &str = "not an operator of descriptions: write `+`, `-`, `*`, `/`, a comparison, \
                          `&&` or `||`";
-/// Rust's types of numbers, as suffixes.
+/// Rust's number types, which occur as suffixes of literals.
 const TYPES: [&str; 14] = [
     "f32", "f64", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128",
     "usize",

@@ -1,8 +1,8 @@
-//! The tokens of an expression that are passed to syn: those of the language, within stated limits.
+//! The tokens of an expression that are passed to syn: those of the language, within fixed limits.
 //!
-//! All other tokens of Rust's expressions are refused here, at their places, before anything
-//! recurses into them. Units are taken out on the way: syn sees `2[kg * m ^ 2]` as `2[0]`, the unit
-//! with index 0.
+//! All other tokens of Rust's expressions are rejected here, at their places, before anything
+//! recurses into them. Units are taken out on the way: syn sees `2[kg * m ^ 2]` as `2[0]`, where 0
+//! is the index of the unit.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Spacing, Span, TokenStream, TokenTree};
 
@@ -13,23 +13,23 @@ use super::tokens::{argument_name, group_beyond, is_punct, start, token_beyond};
 use super::unit::UnitExpression;
 use super::words::is_keyword;
 
-/// The limit of tokens of one expression: a stated limit instead of an exhausted stack.
+/// The most tokens of one expression. An error at this limit is better than a stack overflow.
 const TOKENS: usize = 2000;
-/// The limit of digits of a number, including its point and exponent: every double has fewer.
+/// The most digits of a number, including its point and exponent: every double needs fewer.
 const DIGITS: usize = 1200;
-/// The limit of nested brackets.
+/// The most brackets inside each other.
 const NESTING: usize = 48;
-/// The limit of nested brackets, prefixes, methods and branches.
+/// The most brackets, prefixes, methods and branches inside each other.
 pub const DEPTH: usize = 128;
 
 /// An expression that is safe for syn.
 pub struct Screened {
     pub tokens: TokenStream,
-    /// The units, by index; `None` for reported ones.
+    /// The units, by index; `None` for those already reported.
     pub units: Vec<Option<UnitExpression>>,
 }
 
-/// Refuses tokens that are not part of the language; returns `None` if there were any.
+/// Rejects tokens that are not part of the language; returns `None` if there were any.
 pub fn screen(tokens: TokenStream, errors: &mut Errors) -> Option<Screened> {
     if let Some((place, message)) = crossed_limit(&tokens) {
         return errors.report(place, message);
@@ -64,13 +64,13 @@ pub fn too_deep() -> String {
 
 struct Screen<'a> {
     units: Vec<Option<UnitExpression>>,
-    /// Whether syn could not read the rest.
+    /// Whether the remaining tokens would be unreadable for syn.
     refused: bool,
     errors: &'a mut Errors,
 }
 
 impl Screen<'_> {
-    /// The tokens between two brackets; `function` is the word before them.
+    /// The tokens in one pair of brackets; `function` is the word before them.
     fn stream(
         &mut self,
         tokens: TokenStream,
@@ -141,7 +141,7 @@ impl Screen<'_> {
         self.refuse(place, &message)
     }
 
-    /// One token, unless it is a number that takes long to read.
+    /// One token, unless it is a number with too many digits.
     fn literal(&mut self, literal: &Literal) -> Option<usize> {
         let text = literal.to_string();
         if text.starts_with(|first: char| first.is_ascii_digit()) && text.len() > DIGITS {
@@ -169,7 +169,7 @@ impl Screen<'_> {
                 let inner = self.stream(group.stream(), depth + 1, None);
                 Group::new(Delimiter::Bracket, inner)
             }
-            // a table of two scalars has nested lists
+            // the values of a table of two arguments are nested lists
             Delimiter::Bracket if function.is_some_and(|word| word == "table") => {
                 let inner = self.stream(group.stream(), depth + 1, function);
                 Group::new(Delimiter::Bracket, inner)
@@ -207,8 +207,8 @@ impl Screen<'_> {
         TokenTree::Group(shown)
     }
 
-    /// The number of tokens of a unit without brackets, which are left out: what stands around it
-    /// is still checked.
+    /// The number of tokens of a unit without brackets. They are left out, so that what stands
+    /// around them is still checked.
     fn bare_unit(
         &mut self,
         word: &Ident,
@@ -232,8 +232,8 @@ impl Screen<'_> {
         Some(unit.length)
     }
 
-    /// A word as syn may read it. A keyword in place of a name becomes a raw name, because the
-    /// entry that should have defined it was refused for it.
+    /// A word in a form that syn can read. A keyword in place of a name becomes a raw name: the
+    /// entry that should have defined it was already rejected for that.
     fn word(&mut self, word: &Ident, after: &[TokenTree]) -> Option<Ident> {
         let text = word.to_string();
         if let [bang, next, ..] = after
@@ -272,8 +272,8 @@ impl Screen<'_> {
         self.refuse(word.span(), &message)
     }
 
-    /// The number of tokens of the sign at the beginning of `tokens`; a sign without meaning here
-    /// is refused.
+    /// The number of tokens of the sign at the beginning of `tokens`. Signs without a meaning here
+    /// are rejected.
     fn sign(&mut self, tokens: &[TokenTree]) -> Option<usize> {
         let TokenTree::Punct(first) = &tokens[0] else {
             return Some(1);
@@ -316,14 +316,14 @@ impl Screen<'_> {
     }
 }
 
-/// Nesting without brackets.
+/// Nesting that needs no brackets.
 #[derive(Default)]
 struct Nested {
     /// Consecutive signs.
     signs: usize,
     /// Consecutive methods, fields and units.
     methods: usize,
-    /// `if`s with unfinished conditions.
+    /// `if`s whose conditions are not finished.
     conditions: usize,
     /// Consecutive `else`s.
     branches: usize,
@@ -369,7 +369,7 @@ impl Nested {
     }
 }
 
-/// Whether brackets after this token contain a unit.
+/// Whether square brackets after this token would hold a unit.
 fn ends_operand(token: &TokenTree) -> bool {
     match token {
         TokenTree::Ident(word) => !matches!(word.to_string().as_str(), "if" | "else"),

@@ -1,5 +1,5 @@
-//! Tokens between commas: lists are split before anything in them is read, so that a bad entry
-//! hides nothing, and nothing here recurses into nested user input.
+//! Tokens between commas. Lists are split before anything in them is read, so that a bad entry
+//! hides no others. Nothing here recurses into nested user input.
 
 use proc_macro2::{Delimiter, Group, Ident, Punct, Span, TokenStream, TokenTree};
 use syn::{Lit, LitStr};
@@ -9,7 +9,7 @@ use crate::errors::Errors;
 use super::bare_unit::{is_unit_word, lacks_brackets};
 use super::words::is_keyword;
 
-/// The appearance of the beginning of an entry, for the detection of a missing comma.
+/// What entries look like, so that a missing comma can be noticed.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Entry {
     /// `key: value`
@@ -20,7 +20,7 @@ pub enum Entry {
     Defined,
 }
 
-/// Splits at the commas of the outermost level, and where a comma is missing.
+/// Splits at the commas of the outermost level, and where a comma seems to be missing.
 pub fn split(tokens: TokenStream, entry: Entry, errors: &mut Errors) -> Vec<Vec<TokenTree>> {
     let mut entries = Vec::new();
     let mut current: Vec<TokenTree> = Vec::new();
@@ -54,7 +54,7 @@ pub fn split(tokens: TokenStream, entry: Entry, errors: &mut Errors) -> Vec<Vec<
     entries
 }
 
-/// Whether `name` begins an entry, although the previous token is no comma.
+/// Whether `name` begins a new entry, although the previous token is not a comma.
 fn begins(entry: Entry, name: &Ident, before: &[TokenTree], after: Option<&TokenTree>) -> bool {
     let follows_value = match before {
         [.., hash, TokenTree::Group(_)] if is_punct(hash, '#') => false,
@@ -79,7 +79,7 @@ pub fn is_punct(token: &TokenTree, sign: char) -> bool {
     matches!(token, TokenTree::Punct(punct) if punct.as_char() == sign)
 }
 
-/// `sign value`, if `sign` is not the first half of another one; the sign and the value.
+/// The sign and the value of `sign value`, unless `sign` is the first half of another sign.
 pub fn after_sign(tokens: &[TokenTree], sign: char) -> Option<(&Punct, &[TokenTree])> {
     let [TokenTree::Punct(first), value @ ..] = tokens else {
         return None;
@@ -90,7 +90,7 @@ pub fn after_sign(tokens: &[TokenTree], sign: char) -> Option<(&Punct, &[TokenTr
     (first.as_char() == sign && !doubled).then_some((first, value))
 }
 
-/// The name in `name = value` among the arguments of `function`, if its sign is at `index`.
+/// The name in `name = value` among the arguments of `function`, if the `=` is at `index`.
 pub fn argument_name<'t>(
     tokens: &'t [TokenTree],
     index: usize,
@@ -105,7 +105,7 @@ pub fn argument_name<'t>(
     }
 }
 
-/// The single group in brackets that `tokens` consist of.
+/// The group in square brackets, if `tokens` consist of nothing else.
 pub fn bracketed(tokens: &[TokenTree]) -> Option<&Group> {
     match tokens {
         [TokenTree::Group(group)] if group.delimiter() == Delimiter::Bracket => Some(group),
@@ -113,7 +113,7 @@ pub fn bracketed(tokens: &[TokenTree]) -> Option<&Group> {
     }
 }
 
-/// The tokens after documentation and other attributes, which are reported.
+/// The tokens after documentation and other attributes. These are reported.
 pub fn without_attributes<'t>(tokens: &'t [TokenTree], errors: &mut Errors) -> &'t [TokenTree] {
     let rest = skip_attributes(tokens);
     if let (true, Some(hash)) = (rest.len() < tokens.len(), tokens.first()) {
@@ -136,7 +136,7 @@ pub fn skip_attributes(tokens: &[TokenTree]) -> &[TokenTree] {
     rest
 }
 
-/// The beginning of a token: for a group, the bracket alone.
+/// The beginning of a token; for a group, its opening bracket.
 pub fn start(token: &TokenTree) -> Span {
     match token {
         TokenTree::Group(group) => group.span_open(),
@@ -149,7 +149,7 @@ pub fn stream(tokens: &[TokenTree]) -> TokenStream {
     tokens.iter().cloned().collect()
 }
 
-/// The token after this many others, including those in brackets, found without recursion.
+/// The token after the first `count` ones, including those in brackets, found without recursion.
 pub fn token_beyond(tokens: &TokenStream, count: usize) -> Option<TokenTree> {
     let mut seen = 0;
     let mut open = vec![tokens.clone().into_iter()];
@@ -185,7 +185,7 @@ pub fn group_beyond(tokens: &TokenStream, depth: usize) -> Option<Group> {
     None
 }
 
-/// A string, if it is one.
+/// The string, if the value is one.
 pub fn string(value: &[TokenTree]) -> Option<LitStr> {
     let [TokenTree::Literal(literal)] = value else {
         return None;

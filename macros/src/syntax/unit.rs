@@ -1,6 +1,6 @@
 //! Units in brackets: `[kg * m ^ 2]`, `[deg / s]`, `[1 / s]`.
 //!
-//! They are read from their tokens: Rust itself would parse `kg * m ^ 2` as `(kg * m) ^ 2`.
+//! They are read token by token: Rust itself would parse `kg * m ^ 2` as `(kg * m) ^ 2`.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
@@ -19,13 +19,13 @@ pub struct UnitExpression {
 
 /// The largest exponent of a unit.
 const EXPONENT: i64 = 12;
-/// The limit of nested parentheses.
+/// The most parentheses inside each other.
 const NESTING: usize = 8;
-/// The limit of factors.
+/// The most factors.
 const FACTORS: usize = 24;
 
 impl UnitExpression {
-    /// Reads a unit in its brackets; errors are reported.
+    /// Reads a unit in brackets. Errors are reported.
     pub fn parse(brackets: &Group, errors: &mut Errors) -> Option<Self> {
         let tokens = brackets.stream();
         if tokens.is_empty() {
@@ -48,7 +48,7 @@ impl UnitExpression {
 
 type Factors = Vec<(Ident, Fraction)>;
 
-/// `unit * unit / unit`, the whole content of `around`.
+/// `unit * unit / unit`, which must be the whole content of `around`.
 fn product(tokens: TokenStream, around: &Group, errors: &mut Errors) -> Option<Factors> {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     let mut rest = tokens.as_slice();
@@ -78,7 +78,7 @@ fn product(tokens: TokenStream, around: &Group, errors: &mut Errors) -> Option<F
     Some(factors)
 }
 
-/// `unit`, `unit ^ exponent`, or the same of a product in parentheses.
+/// `unit`, `unit ^ exponent`, or the same for a product in parentheses.
 fn power(rest: &mut &[TokenTree], around: &Group, errors: &mut Errors) -> Option<Factors> {
     let Some((first, tail)) = rest.split_first() else {
         return errors.report(around.span(), "expected a unit such as `kg`, `m` or `N`");

@@ -1,4 +1,4 @@
-//! Rust's reserved words, and their refusal as names.
+//! Rust's reserved words, which cannot be names.
 
 use proc_macro2::Ident;
 
@@ -32,7 +32,7 @@ pub fn is_keyword(word: &str) -> bool {
     KEYWORDS.contains(&word)
 }
 
-/// Whether generated code can use `name` as it is; otherwise it is reported.
+/// Whether generated code can use `name` as it is; if not, the error is reported.
 pub fn check_name(name: &Ident, what: &str, errors: &mut Errors) -> Option<()> {
     let word = name.to_string();
     let message = if let Some(plain) = word.strip_prefix("r#") {

@@ -1,4 +1,4 @@
-//! What a description means at an instant, by the vector law.
+//! What a description means at an instant, according to the vector law.
 
 use crate::description::body::Body;
 use crate::given::Given;

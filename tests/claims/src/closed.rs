@@ -1,4 +1,4 @@
-//! Closed forms: what they take for the moment and for the acceleration of G.
+//! Closed forms: what they assume about the moment and about the acceleration of G.
 
 use mounted::mechanics::{Free, Rotation};
 use mounted::symbolic::Id;

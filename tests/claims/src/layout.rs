@@ -1,4 +1,4 @@
-//! Where the parts of a state are among its coordinates.
+//! Where each part of a state is among its coordinates.
 
 use std::ops::Range;
 

@@ -4,10 +4,10 @@
 //! cargo run --release -p claims -- --descriptions 1000000 --seed 1
 //! ```
 //!
-//! The compiler is called as a function: its output is not compiled. Its claims (zeros, symmetries,
-//! unread quantities, closed forms) and its accelerations are compared with the vector law in 106
-//! bits, at states of all scales and at both sides of every number in the description. A refuted
-//! claim is shown with the smallest description that makes it.
+//! The compiler is called as a function, and its output is not compiled. Its claims (zeros,
+//! symmetries, unread quantities, closed forms) and its accelerations are compared with the vector
+//! law in 106 bits, at states of all scales and on both sides of every number in the description. A
+//! refuted claim is shown with the smallest description that makes it.
 
 #[allow(dead_code, reason = "the claims need a part of it")]
 #[path = "../../random_bodies/src/description/mod.rs"]

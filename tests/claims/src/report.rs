@@ -1,4 +1,4 @@
-//! What came out of many descriptions.
+//! The results for many descriptions.
 
 use std::collections::BTreeMap;
 use std::fmt;

@@ -1,4 +1,4 @@
-//! Many descriptions, each by its number.
+//! Runs many descriptions, each identified by its number.
 
 use std::time::Instant;
 

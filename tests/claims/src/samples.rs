@@ -1,4 +1,4 @@
-//! States of all scales, and at both sides of every number that a description has.
+//! States of all scales, and on both sides of every number in a description.
 
 use fastrand::Rng;
 

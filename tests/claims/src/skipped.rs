@@ -1,4 +1,4 @@
-//! The lines of `SKIPPED`, as a reader understands them.
+//! The lines of `SKIPPED`, as a reader would understand them.
 
 use crate::answer::{Answer, answer, differs, shown};
 use crate::description::body::{Body, Param};

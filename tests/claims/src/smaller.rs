@@ -1,4 +1,4 @@
-//! The smallest description that a claim fails of.
+//! The smallest description for which a claim fails.
 
 use crate::description::body::{Body, What};
 use crate::description::expression::{Place, Scalar};

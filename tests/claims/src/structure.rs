@@ -1,4 +1,4 @@
-//! What `STRUCTURE` says, and the accelerations themselves.
+//! The claims in `STRUCTURE`, and the accelerations themselves.
 
 use mounted::mechanics::{Dependence, QUANTITIES, Symmetry};
 

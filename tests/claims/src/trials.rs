@@ -1,4 +1,4 @@
-//! All that is claimed of a description, at many states.
+//! Everything that is claimed about a description, tried at many states.
 
 use crate::answer::answer;
 use crate::compiled::Compiled;

@@ -1,4 +1,4 @@
-//! The world turned, or the axes of a body, to 106 bits.
+//! Rotations of the world, or of the axes of a body, to 106 bits.
 
 use crate::description::body::Body;
 use crate::layout::{Layout, is_rod};

@@ -1,4 +1,5 @@
-//! Every description in the repository's sources: of tests, examples, benchmarks, and those that are refused.
+//! Every description in the sources of the repository: those of tests, examples and benchmarks, and
+//! the invalid ones.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,5 @@
-//! Tokens in a row, brackets as two tokens of their own, so that a mutation is a change of a list.
+//! Tokens as a flat list, with brackets as two separate tokens, so that a mutation is a change of a
+//! list.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 

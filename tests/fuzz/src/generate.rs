@@ -1,4 +1,5 @@
-//! Token streams from nothing: trees of words, numbers, signs and brackets, bare or in the form of a description.
+//! Token streams from scratch: trees of words, numbers, signs and brackets, bare or in the form of
+//! a description.
 
 use fastrand::Rng;
 use proc_macro2::Delimiter;

@@ -1,5 +1,5 @@
-//! Endless bad input: the response of the expander and the runtime to arbitrary input. Every
-//! execution follows from a seed and its index alone, so that findings can be reproduced.
+//! Fuzzing: how the expander and the runtime respond to arbitrary input. Every execution follows
+//! from a seed and its index alone, so that findings can be reproduced.
 #![allow(missing_docs)]
 #![allow(
     clippy::must_use_candidate,

@@ -1,4 +1,4 @@
-//! A description with some of its tokens changed.
+//! Changes some of the tokens of a description.
 
 use core::iter::repeat_n;
 

@@ -1,4 +1,5 @@
-//! Many executions: each by its number, in threads as small as the compiler's own, under a watch.
+//! Runs many executions, each identified by its number, in threads as small as the compiler's own,
+//! under a watchdog.
 
 use std::fmt;
 use std::io::Write;

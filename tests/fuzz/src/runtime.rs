@@ -1,4 +1,5 @@
-//! The runtime on arbitrary numbers and texts: what cannot be is refused, what is accepted is read back bit for bit.
+//! The runtime with arbitrary numbers and texts: impossible values are rejected, and accepted
+//! values are read back bit for bit.
 
 mod bodies;
 mod exact;

@@ -1,4 +1,4 @@
-//! How long executions took: a histogram of times, in steps of an eighth of an octave.
+//! The durations of executions: a histogram in steps of an eighth of an octave.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What the expander says to a stream, and whether that is an answer at all.
+//! What the expander says about a token stream, and whether that is an acceptable answer.
 
 use std::cell::{Cell, RefCell};
 use std::collections::HashSet;

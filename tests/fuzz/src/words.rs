@@ -1,4 +1,4 @@
-//! What streams are made of: words of the language and others, numbers, signs.
+//! What token streams are made of: words of the language and other words, numbers, signs.
 
 use fastrand::Rng;
 use proc_macro2::{Ident, Literal, Punct, Spacing, Span, TokenTree};

@@ -1,16 +1,17 @@
-//! Every kind of motion, derived a second time by Lagrange, with one Lagrangian for all.
+//! Every kind of motion, derived a second time by Lagrange's method, with one Lagrangian for all.
 //!
-//! The body is five mass points, whose kinetic energy is summed; no mass, no center and no tensor enters. In
-//! quasi-velocities, the velocity V of a point P (world axes) and Ω (body axes), with displacements δR and δφ of the same
-//! kinds, Lagrange's equations are those of Poincaré (F20):
+//! The body consists of five mass points, whose kinetic energies are added; no mass, center of mass
+//! or tensor is used. With the quasi-velocities V, the velocity of a point P in world axes, and Ω,
+//! in body axes, and with displacements δR and δφ of the same kinds, Lagrange's equations are those
+//! of Poincaré (F20):
 //!
 //! ```text
 //! d/dt ∂L/∂V = ∂L/∂R + F        d/dt ∂L/∂Ω + Ω × ∂L/∂Ω = ∂L/∂φ + K
 //! ```
 //!
-//! where F and K are those of the loads without a potential. Along displacements that the motion allows both sides are equal;
-//! along the others they differ by the reactions, which are compared as well. Where G moves freely P is not G, so that V
-//! and Ω are coupled.
+//! where F and K are the force and moment of the loads without a potential. Along displacements
+//! that the motion allows, both sides are equal. Along the others, they differ by the reactions,
+//! which are compared as well. Where G moves freely, P is not G, so that V and Ω are coupled.
 
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
 use newton_euler::prelude::*;

@@ -1,6 +1,8 @@
-//! The ninth motion: a rod, of three mass points on a line, by its center R and its axis u in space.
+//! The ninth kind of motion: a rod of three mass points on a line, given by its center R and its
+//! axis u in space.
 //!
-//! As a free vector, u has a Lagrangian too; that its length is one adds a force along it, which is the multiplier:
+//! There is also a Lagrangian for u as a free vector. The condition that its length is one adds a
+//! force along it, which is the multiplier:
 //!
 //! ```text
 //! d/dt ∂L/∂V = ∂L/∂R + F        d/dt ∂L/∂u̇ = ∂L/∂u + K × u + s F + λ u

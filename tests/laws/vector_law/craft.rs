@@ -1,4 +1,4 @@
-//! One description, with its numbers baked in and as parameters.
+//! One description twice: with its numbers as constants, and as parameters.
 
 macro_rules! craft {
     ($name:ident, $params:tt, $m:tt, [$xx:tt, $yy:tt, $zz:tt, $xy:tt, $yz:tt, $zx:tt],

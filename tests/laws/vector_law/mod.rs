@@ -1,4 +1,5 @@
-//! A body in space under loads of every kind, against the vector law written by hand with nalgebra.
+//! A body in space under loads of every kind, compared with the vector law written by hand with
+//! nalgebra.
 
 use nalgebra::Vector3;
 use newton_euler::prelude::*;

@@ -1,4 +1,5 @@
-//! The compiler as a library: its rooms are mounted here, since a proc-macro crate cannot be linked.
+//! The compiler as a library. Its rooms are mounted here, because a proc-macro crate cannot be
+//! linked.
 #![allow(missing_docs, dead_code)]
 #![allow(
     unfulfilled_lint_expectations,

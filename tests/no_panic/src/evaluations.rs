@@ -1,4 +1,4 @@
-//! What bodies answer.
+//! The evaluations of bodies.
 
 use newton_euler::body::Singular;
 use newton_euler::constrained::{Inconsistent, Violation};

@@ -1,4 +1,4 @@
-//! The guard of the crate `no-panic`: on unwinding, it calls a nonexistent symbol.
+//! The guard of the crate `no-panic`: on unwinding, it calls a symbol that does not exist.
 
 /// Functions that cannot panic, and a function that has all of them linked and says how many they are.
 macro_rules! cannot_panic {

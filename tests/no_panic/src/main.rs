@@ -1,8 +1,9 @@
 //! Functions that cannot panic: `cargo test --test no_panic`.
 //!
 //! The crate `no-panic` puts a guard into each of the following functions. On unwinding, the guard
-//! calls a nonexistent symbol, so this links if and only if the optimizer has removed every path on
-//! which a function could panic. `docs/trust.md` lists what is left out, and why.
+//! calls a symbol that does not exist, so this program links if and only if the optimizer has
+//! removed every path on which a function could panic. `docs/trust.md` lists what is left out, and
+//! why.
 
 #![allow(clippy::result_large_err, reason = "errors hold a state")]
 

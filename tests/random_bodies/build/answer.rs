@@ -1,4 +1,5 @@
-//! The function that asks a body for all its answers: from lists of numbers to its own types, and back.
+//! The function that evaluates all outputs of a body: from lists of numbers to its own types, and
+//! back.
 
 use crate::description::body::{Body, Input, Key, Load, Param, What};
 use crate::description::written::description;

@@ -1,4 +1,5 @@
-//! Draws the bodies and writes them for the compiler: `BODIES` of them from `FIRST` on, and `MOVING` that are moved, of the seed `SEED`.
+//! Draws the bodies and writes them for the compiler: `BODIES` of them from index `FIRST` on, and
+//! `MOVING` bodies whose motions are integrated, from the seed `SEED`.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;

@@ -1,4 +1,5 @@
-//! The function that moves a body by every method that it has: from lists of numbers to its own types, and back.
+//! The function that moves a body with every method that it has: from lists of numbers to its own
+//! types, and back.
 
 use crate::answer::constructed;
 use crate::description::moving::Moving;

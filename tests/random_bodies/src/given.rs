@@ -1,4 +1,4 @@
-//! Where a body is asked: time, state, inputs and parameters as lists of numbers.
+//! The arguments of an evaluation: time, state, inputs and parameters as lists of numbers.
 
 use nalgebra::{Vector2, Vector3};
 use newton_euler::prelude::*;

@@ -1,18 +1,18 @@
-//! Random bodies against the vector law in extended precision.
+//! Random bodies, compared with the vector law in extended precision.
 //!
-//! `build/` draws bodies and writes them for the compiler; here they are drawn again, for the
-//! oracle. All outputs of each are evaluated in random states. `cargo test -p random-bodies` runs a
-//! few; in full:
+//! `build/` draws bodies and writes them for the compiler. Here, they are drawn again, for the
+//! oracle, and all outputs of each are evaluated in random states. `cargo test -p random-bodies`
+//! runs a few. In full:
 //!
 //! ```text
 //! BODIES=1000 cargo run --release -p random-bodies -- 100000
 //! ```
 //!
-//! `-- motions 1000` integrates `MOVING` other bodies from as many states each, in closed form, by
-//! series and by DOP853.
+//! `-- motions 1000` integrates `MOVING` other bodies from as many states each, in closed form,
+//! with series and with DOP853.
 //!
-//! The argument is the number of states of each body, or their range, `50000..100000`. With two
-//! arguments, a body and a state, it shows the outputs of that body in that state.
+//! The argument is the number of states of each body, or their range, as in `50000..100000`. With
+//! two arguments, a body and a state, the outputs of that body in that state are shown.
 
 use survey::{Ask, Survey};
 

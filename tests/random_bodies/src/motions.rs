@@ -1,4 +1,4 @@
-//! Bodies moved by every method that they have: their ends beside each other.
+//! Bodies moved with every method that they have, and a comparison of their final states.
 
 use std::fmt;
 

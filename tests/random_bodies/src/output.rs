@@ -1,4 +1,4 @@
-//! What a body answers, as a list of vectors.
+//! The outputs of a body, as a list of vectors.
 
 use std::fmt;
 

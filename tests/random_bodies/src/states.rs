@@ -1,4 +1,4 @@
-//! States at random: of all sizes, and the special ones.
+//! Random states of all sizes, and special states.
 
 use fastrand::Rng;
 

@@ -1,4 +1,4 @@
-//! Bodies in many states, and the largest error of each of their answers.
+//! Bodies in many states, and the largest error of each of their outputs.
 
 use std::fmt;
 use std::ops::Range;

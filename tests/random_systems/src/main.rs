@@ -5,8 +5,8 @@
 //! cargo run --release -p random-systems -- --systems 20000 --seed 1
 //! ```
 //!
-//! The compiler is called as a function, and its expressions are evaluated in 106 bits: a
-//! difference from the law by more than 1e-20 is an error, not rounding. It is shown with the
+//! The compiler is called as a function, and its expressions are evaluated in 106 bits, so that a
+//! difference from the law of more than 1e-20 is an error, not rounding. It is shown with the
 //! smallest description that fails in the same way. The largest errors in doubles are shown as
 //! well.
 

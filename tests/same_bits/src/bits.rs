@@ -1,4 +1,4 @@
-//! Many numbers as one, by all of their bits.
+//! Combines many numbers into one, using all of their bits.
 
 use newton_euler::Scalar;
 use newton_euler::columns::{Columns, Sink, Source};

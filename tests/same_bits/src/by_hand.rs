@@ -1,4 +1,4 @@
-//! What the runtime has for use by hand.
+//! The parts of the runtime that users call directly.
 
 use newton_euler::columns::Columns;
 use newton_euler::exact::{Jacobi, r_j};

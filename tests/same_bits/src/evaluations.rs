@@ -1,4 +1,4 @@
-//! What bodies answer in a state.
+//! The outputs of bodies in a state.
 
 use newton_euler::Scalar;
 use newton_euler::columns::{Columnar, Columns};

@@ -1,6 +1,6 @@
 //! Results to the bit: the same numbers in every build and on every processor.
 //!
-//! Only series that are integrated have two results: with fused operations, where they are
+//! Only integrated series have two possible results: with fused operations, where these are
 //! dispatched and the processor has them, and without. `docs/trust.md` says what is promised, and
 //! where this was run.
 

@@ -1,4 +1,4 @@
-//! Where bodies come to, by every method.
+//! The final states of bodies, with every method.
 
 use newton_euler::Scalar;
 use newton_euler::columns::{Columnar, Columns};

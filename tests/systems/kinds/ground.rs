@@ -1,4 +1,4 @@
-//! Joints of G of a body to the ground.
+//! Joints between the G of a body and the ground.
 
 use nalgebra::{Matrix3, Vector3};
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! Kinds of joints, one after another.
+//! The kinds of joints, one by one.
 
 mod ground;
 mod planar;

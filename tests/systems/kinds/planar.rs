@@ -1,4 +1,4 @@
-//! Two slides in a plane, and a turn about its normal.
+//! Two slides in a plane, and a rotation about its normal.
 
 use nalgebra::Vector3;
 use newton_euler::prelude::*;

@@ -1,4 +1,4 @@
-//! Cables: they pull where they are tight, and have an energy.
+//! Cables: they pull where they are taut, and have an energy.
 
 use nalgebra::Vector3;
 use newton_euler::prelude::*;

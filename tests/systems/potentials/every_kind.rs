@@ -1,4 +1,5 @@
-//! Energies between all bodies of a tree that has every kind of joint, and what keeps them.
+//! Energies between all bodies of a tree that has every kind of joint, and the conservation of
+//! energy.
 
 use newton_euler::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Potentials in space: the loads that they are, written by hand, and energy that is kept.
+//! Potentials in space: their loads, written by hand, and the conservation of energy.
 
 use nalgebra::Vector3;
 use newton_euler::prelude::*;

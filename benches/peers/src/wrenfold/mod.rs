@@ -1,4 +1,5 @@
-//! wrenfold, a generator in Python: it prints Rust for the same equations, written for it in `generate.py`.
+//! wrenfold, a code generator in Python. It prints Rust for the same equations, which are written
+//! for it in `generate.py`.
 
 use nalgebra::Vector3;
 use newton_euler::prelude::*;
@@ -12,10 +13,10 @@ use crate::table::Table;
 #[rustfmt::skip]
 mod generated;
 
-/// The body as wrenfold wrote it; its input is the force.
+/// The body as wrenfold generated it. Its input is the force.
 struct Wrenfold;
 
-/// wrenfold's traits know another version of nalgebra.
+/// A column vector for wrenfold's traits, which use another version of nalgebra.
 struct Column<const N: usize>([f64; N]);
 
 impl<const N: usize> Span2D<N, 1> for Column<N> {

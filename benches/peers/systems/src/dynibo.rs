@@ -1,4 +1,4 @@
-//! dynibo: a library in Rust that reads a file and walks its tree.
+//! dynibo: a Rust library that reads a file and walks its tree.
 
 use std::ffi::{CStr, c_char, c_void};
 use std::slice;
@@ -7,7 +7,7 @@ use std::time::Instant;
 use ::dynibo::Robot;
 
 /// # Safety
-/// The path ends with a zero.
+/// The path must end with a zero byte.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn make(path: *const c_char) -> *mut c_void {
     // SAFETY: as above
@@ -16,10 +16,11 @@ pub unsafe extern "C" fn make(path: *const c_char) -> *mut c_void {
     Box::into_raw(Box::new(robot)).cast()
 }
 
-/// The ns of as many rounds over all states.
+/// The time in ns of this many rounds over all states.
 ///
 /// # Safety
-/// The robot is of [`make`]; the lists are as long as its joints and the states say.
+/// The robot must come from [`make`], and the lists must be as long as its joints and the states
+/// require.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn run(
     robot: *mut c_void,

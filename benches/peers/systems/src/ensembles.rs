@@ -1,4 +1,4 @@
-//! Ensembles of systems: bodies over any scalar.
+//! Ensembles of systems: bodies that are generic over their scalar.
 
 use std::time::Instant;
 
@@ -39,7 +39,7 @@ rigid_system!(Arm::<T> {
     fields: [weight = mass * world(0, 0, -9.81[m / s ^ 2])],
 });
 
-/// The ns of a step of one of a thousand arms.
+/// The time in ns of a step of one of a thousand arms.
 #[unsafe(no_mangle)]
 pub extern "C" fn ensemble() -> f64 {
     let hinge = |angle: f64| Hinge {

@@ -1,6 +1,7 @@
-//! What `time.py` times of ours, and of a peer in Rust: functions of C, each a loop that is timed inside.
+//! What `compare.py` times of our library and of a peer in Rust: C functions, each with a loop that
+//! is timed inside.
 //!
-//! Numbers of a state are its coordinates: positions joint by joint, then rates.
+//! The numbers of a state are its coordinates: positions joint by joint, followed by the rates.
 
 mod described;
 mod dynibo;
@@ -15,7 +16,7 @@ use newton_euler::operations::Operations;
 use newton_euler::prelude::*;
 use newton_euler::state::{Coordinates, State};
 
-/// A system of the table: drives of the joints, in their order, as its input.
+/// A system of the table. Its input consists of the drives of the joints, in their order.
 trait Case:
     Integrate + RigidBody<Scalar = f64, State: Coordinates + Default, Input: Clone> + Default
 {
@@ -24,7 +25,8 @@ trait Case:
     fn input(drives: &[f64]) -> Self::Input;
 }
 
-/// Systems, each with its input from drives, in the order in which `time.py` counts them.
+/// The systems, in the order in which `compare.py` numbers them, each with its input made from
+/// drives.
 macro_rules! cases {
     ($($place:literal: $system:path, |$drives:pat_param| $input:expr;)*) => {
         $(impl Case for $system {
@@ -35,10 +37,10 @@ macro_rules! cases {
             }
         })*
 
-        /// The ns of as many rounds of accelerations in all states.
+        /// The time in ns of this many rounds of accelerations in all states.
         ///
         /// # Safety
-        /// The lists are as long as the states and their coordinates and freedoms say.
+        /// The lists must be as long as the states and their coordinates and freedoms require.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn acceleration(
             case: usize,
@@ -55,10 +57,10 @@ macro_rules! cases {
             }
         }
 
-        /// The ns of as many motions from the first state, with error control.
+        /// The time in ns of this many motions from the first state, with error control.
         ///
         /// # Safety
-        /// The lists are as long as the coordinates and freedoms of a state.
+        /// The lists must be as long as the coordinates and freedoms of a state require.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn integrate(
             case: usize,
@@ -73,10 +75,11 @@ macro_rules! cases {
             }
         }
 
-        /// Multiplications, additions, divisions, roots, sines and cosines of one acceleration.
+        /// The multiplications, additions, divisions, roots, and sines and cosines of one
+        /// acceleration.
         ///
         /// # Safety
-        /// The list has five places.
+        /// The list must have five places.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn operations(case: usize, counts: *mut u32) {
             let all = match case {
@@ -179,7 +182,7 @@ unsafe fn moved<B: Case>(coordinates: *const f64, drives: *const f64, rounds: us
     start.elapsed().as_secs_f64() * 1e9
 }
 
-/// How many coordinates and rates a state has.
+/// The numbers of coordinates and of rates of a state.
 fn sizes<B: Case>() -> (usize, usize) {
     let groups = B::State::GROUPS;
     let rates = &groups[groups.len() / 2..];
@@ -192,7 +195,7 @@ fn case<B: Case>(numbers: &[f64], drives: &[f64]) -> (B::State, B::Input) {
     (B::State::from_coordinates(&list), B::input(drives))
 }
 
-/// As the peers are: a function that is called.
+/// A function that is called and not inlined, as those of the peers are.
 #[inline(never)]
 fn called<B: Case>(
     body: &B,

@@ -1,4 +1,5 @@
-//! Robots of the package example-robot-data, and a chain, from the files that `time.py` lays under `target/peers`.
+//! Robots from the package example-robot-data, and a chain, from files that `compare.py` puts under
+//! `target/peers`.
 
 use newton_euler::prelude::*;
 
@@ -26,7 +27,7 @@ rigid_system!(Panda {
     ],
 });
 
-/// From the drives of all freedoms.
+/// The input, from the drives of all freedoms.
 pub fn panda(drives: &[f64]) -> PandaInput {
     let [t1, t2, t3, t4, t5, t6, t7] = *drives.as_array().expect("as many as joints");
     PandaInput {
@@ -74,7 +75,7 @@ rigid_system!(Solo12 {
     ],
 });
 
-/// From the drives of all freedoms.
+/// The input, from the drives of all freedoms.
 pub fn solo(drives: &[f64]) -> Solo12Input {
     let [t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12] =
         *drives[..12].as_array().expect("as many as joints");
@@ -128,7 +129,7 @@ rigid_system!(Anymal {
     ],
 });
 
-/// From the drives of all freedoms.
+/// The input, from the drives of all freedoms.
 pub fn anymal(drives: &[f64]) -> AnymalInput {
     let [t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12] =
         *drives[..12].as_array().expect("as many as joints");

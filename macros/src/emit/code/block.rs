@@ -1,5 +1,5 @@
-//! A block of code while it is written, and its names: words of the description and of
-//! mechanics if there are any, otherwise a description of the computation.
+//! A block of code while it is written, and the names in it: words of the description and of
+//! mechanics if there are any, otherwise descriptions of the computation.
 
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -13,7 +13,7 @@ use crate::symbolic::{Id, Node, Number};
 use super::naming::{Names, local};
 use super::writer::{Source, Writer};
 
-/// Longer names than this are replaced by the kind of operation.
+/// A longer name is replaced by the kind of operation.
 const LENGTH: usize = 24;
 
 /// The statements of a function, while they are written.
@@ -25,7 +25,7 @@ pub struct Block<'a> {
     pub reads: Vec<Source>,
     /// Whether it is written for any scalar, so that constants are statements.
     pub is_generic: bool,
-    /// The numbers in it.
+    /// The numbers that occur in it.
     pub numbers: RefCell<BTreeSet<Id>>,
 }
 
@@ -113,7 +113,7 @@ impl Block<'_> {
             .unwrap_or_else(|| kind.to_owned())
     }
 
-    /// `let vx = state[7];`, where state and input are arrays.
+    /// `let vx = state[7];`, if state and input are arrays.
     pub fn read_arrays(&mut self, symbols: &[(Id, Meaning)]) -> TokenStream {
         let outline = self.writer.outline;
         let (state, input) = (outline.numbers_of_state(), outline.numbers_of_input());
@@ -139,14 +139,14 @@ impl Block<'_> {
         tokens
     }
 
-    /// The description of the group of a name, at its first member.
+    /// What the group that a name belongs to means; given only for its first member.
     pub fn note(&mut self, name: &Ident) -> Option<&'static str> {
         let (group, note) = self.writer.work.labels.note(&name.to_string())?;
         self.noted.insert(group).then_some(note)
     }
 }
 
-/// The name of a plain number as a constant of a generic body.
+/// The name that a plain number gets as a constant of a generic body.
 fn number_name(number: &Number) -> Option<&'static str> {
     let names = [
         (Number::ratio(-1, 1), "minus_one"),

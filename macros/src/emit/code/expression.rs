@@ -1,4 +1,4 @@
-//! Expressions of the graph as Rust expressions, with the necessary parentheses only.
+//! Expressions of the graph as Rust expressions, with no more parentheses than needed.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
@@ -9,7 +9,7 @@ use super::block::Block;
 use super::naming::given;
 use super::scalar::number_literal;
 
-/// The precedence of an expression, from the loosest to the tightest.
+/// The precedence of an expression, from loosest to tightest.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Precedence {
     Lowest,
@@ -36,7 +36,7 @@ impl Block<'_> {
         self.expression(id, Precedence::Lowest)
     }
 
-    /// An expression in a position that binds as tightly as `outer`.
+    /// An expression in a position where operators bind as tightly as `outer`.
     pub fn expression(&self, id: Id, outer: Precedence) -> TokenStream {
         let (tokens, precedence) = self.operand(id);
         if precedence < outer {
@@ -54,7 +54,7 @@ impl Block<'_> {
             return (quote!(self.#field), Precedence::Atom);
         }
         match self.writer.work.graph.node(id) {
-            // another name for an existing statement
+            // this only renames an existing statement
             Node::Quantity(inner) => self.operand(*inner),
             _ => self.operation(id),
         }
@@ -90,7 +90,7 @@ impl Block<'_> {
             }
             Node::Select(condition, a, b) => {
                 let [condition, a, b] = [condition, a, b].map(|id| self.value(id));
-                // alone on the right of a statement, or in parentheses
+                // it stands alone on the right of a statement, or in parentheses
                 (quote!(if #condition { #a } else { #b }), Precedence::Lowest)
             }
             // infix operators are handled above
@@ -141,7 +141,7 @@ impl Block<'_> {
         Some((quote!(#a #operator #b), precedence))
     }
 
-    /// A reciprocal, guarded against a divisor that is only rounding.
+    /// A reciprocal, guarded against a divisor that is nothing but rounding error.
     fn guarded(&self, id: Id, divisor: Id, scale: Id) -> TokenStream {
         let private = &self.writer.shapes.private;
         let [divisor, scale] = [divisor, scale].map(|id| self.value(id));
@@ -153,7 +153,7 @@ impl Block<'_> {
         }
     }
 
-    /// Comparisons and choices of a generic body, which may apply to several numbers at once.
+    /// The comparisons and choices of a generic body, which may apply to several numbers at once.
     fn choice_of_any_scalar(&self, id: Id) -> Option<(TokenStream, Precedence)> {
         let atom = |tokens: TokenStream| Some((tokens, Precedence::Atom));
         let infix = |a: Id, operator: TokenStream, b: Id| {
@@ -185,8 +185,8 @@ impl Block<'_> {
         }
     }
 
-    /// In a sum, whose order does not matter: terms known early stand last, and terms that are
-    /// themselves sums stand first, so that they need no parentheses.
+    /// Whether `a` comes second in a sum, where the order does not matter. Terms known early come
+    /// last. Terms that are sums themselves come first, so that they need no parentheses.
     fn comes_second(&self, a: Id, b: Id) -> bool {
         let graph = &self.writer.work.graph;
         let is_sum = |id: Id| {
@@ -200,7 +200,7 @@ impl Block<'_> {
         }
     }
 
-    /// `Body.normal`: the unknown of a guarded reciprocal.
+    /// The unknown that a guarded reciprocal gives, as `Body.normal`.
     fn unknown(&self, reciprocal: Id) -> String {
         let unknown = self.writer.work.labels.unknown(reciprocal);
         format!("{}.{unknown}", self.writer.outline.name)
@@ -218,7 +218,7 @@ impl Block<'_> {
         quote!(#private::math::#name(#(#arguments),*))
     }
 
-    /// The value of a table, by its polynomials.
+    /// The value of a table, from its polynomials.
     fn looked_up(&self, argument: Id, table: Id) -> TokenStream {
         let table = self.writer.work.graph.table(table);
         let pieces = table.map_or(Vec::new(), |table| table.pieces);

@@ -1,12 +1,12 @@
-//! Lints of the user that generated code would trigger, and the permissions for it.
+//! Lints of the user that generated code could trigger, and the attributes that allow it to.
 
 use std::f64::consts;
 
 use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 
-/// The permission for literals in `code` that happen to be near a mathematical constant, which
-/// clippy would want by its name; none if there is no such literal.
+/// The attribute that allows literals in `code` that happen to be near a mathematical constant, for
+/// which clippy would want the name of the constant. `None` if there is no such literal.
 pub fn allow_constants(code: &TokenStream) -> Option<TokenStream> {
     has_constant(code.clone()).then(|| quote!(#[allow(clippy::approx_constant)]))
 }

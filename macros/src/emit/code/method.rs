@@ -18,7 +18,7 @@ pub struct Method {
 }
 
 impl Method {
-    /// The method of an invalid description, which is never run.
+    /// The method of an invalid description. It is never run.
     pub fn never() -> Self {
         Self {
             body: quote!(::core::unreachable!("the description has errors")),
@@ -26,7 +26,7 @@ impl Method {
         }
     }
 
-    /// Computes `outputs` and returns the expression that `fill` makes of their values.
+    /// Computes `outputs`, and returns the expression that `fill` makes from their values.
     pub fn write(
         writer: &Writer<'_>,
         outputs: &[Id],
@@ -50,8 +50,9 @@ impl Method {
         Ident::new(&format!("{underscore}{name}"), Span::mixed_site())
     }
 
-    /// Statements carry notes, which rustc does not use. Descriptions may compare for
-    /// equality, and may contain numbers that have names elsewhere.
+    /// The lints that the method allows: its notes are doc comments on statements, which rustc does
+    /// not use; descriptions may compare for equality; and they may contain numbers that have names
+    /// elsewhere.
     pub fn lints(&self) -> TokenStream {
         let notes = self
             .facts

@@ -4,10 +4,10 @@ use std::collections::HashMap;
 
 use proc_macro2::{Ident, Span};
 
-/// The field of principal axes.
+/// The name of the field for principal axes.
 pub const PRINCIPAL_AXES: &str = "principal_axes";
 
-/// The associated function for a Rust item of the user with this name.
+/// The name of the associated function that wraps a Rust item of the user.
 pub fn given(word: &str) -> Ident {
     Ident::new(&format!("given_{word}"), Span::call_site())
 }
@@ -17,8 +17,8 @@ pub fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
 }
 
-/// The name of a local after a user's name: in lower case, because a pattern `J` or `Some`
-/// could match a constant; and not a keyword, which `Box` would become.
+/// The name of a local variable for a user's name. It is in lower case, because a pattern `J` or
+/// `Some` could match a constant, and it is no keyword, which `Box` would become.
 pub fn local_name(name: &str) -> String {
     let name = name.to_lowercase();
     let is_word = name.bytes().all(|byte| byte.is_ascii_lowercase());
@@ -29,10 +29,10 @@ pub fn local_name(name: &str) -> String {
     }
 }
 
-/// The names of locals.
+/// The names of local variables.
 #[derive(Default)]
 pub struct Names {
-    /// The number of names with each beginning, as far as it is known.
+    /// For each name that is taken, the last number that was appended to it.
     taken: HashMap<String, u32>,
 }
 

@@ -1,5 +1,5 @@
-//! The first lines of a function: they read the parameters, inputs and parts of the state that it
-//! needs, and no others.
+//! The first lines of a function. They read the parameters, inputs and parts of the state that the
+//! function needs, and no others.
 
 use std::collections::BTreeSet;
 
@@ -17,10 +17,10 @@ use super::writer::{Source, Told};
 /// The component of a quantity that a symbol stands for, if it stands for one.
 type Component = Box<dyn Fn(Meaning) -> Option<usize>>;
 
-/// Components that are read together: their place, and the name of each; a scalar has one.
+/// Components that are read together: where they come from, and the name of each. A scalar has one.
 type Place = (Source, TokenStream, Vec<String>, Component);
 
-/// The places of the parts of a state and of an acceleration.
+/// Where the parts of a state and of an acceleration are.
 fn places(outline: &Outline) -> Vec<Place> {
     let own = outline.states.iter().enumerate().map(place_of_own);
     if outline.is_system {
@@ -42,7 +42,7 @@ fn places(outline: &Outline) -> Vec<Place> {
     places.chain(own).collect()
 }
 
-/// A user-defined state, in the field of its name.
+/// A user-defined state, in the field with its name.
 fn place_of_own((number, own): (usize, &Declared)) -> Place {
     let (state, name) = (local("state"), &own.name);
     let component: Component =
@@ -51,7 +51,7 @@ fn place_of_own((number, own): (usize, &Declared)) -> Place {
     (Source::State, quote!(#state.#name), names, component)
 }
 
-/// The parts of the state of a joint, in a field of its name, and of its acceleration.
+/// The parts of the state of a joint and of its acceleration, in the fields with its name.
 fn places_of_joint(joint: &Jointed) -> Vec<Place> {
     let (name, frame) = (&joint.name, joint.frame);
     let place = |source: Source, of: &str, field: &'static Field| {
@@ -77,8 +77,8 @@ fn places_of_joint(joint: &Jointed) -> Vec<Place> {
     state.chain(second).collect()
 }
 
-/// The places of the parts of the state and of the acceleration of a single body; `part` is the
-/// field with its motion, if it is not the whole state.
+/// The parts of the state and of the acceleration of a single body; `part` is the field that
+/// contains its motion, if that is not the whole state.
 fn places_of_body(
     motion: Motion,
     part: Option<&TokenStream>,
@@ -96,7 +96,7 @@ fn places_of_body(
     let of_state = |path: TokenStream, names: Vec<String>, variable: Variable| {
         (Source::State, quote!(#state.#path), names, variable)
     };
-    // the acceleration of a motion with one kind of coordinates is not a struct
+    // if a motion has coordinates of only one kind, its acceleration is not a struct
     let is_struct = motion.translates() && motion.has_attitude();
     let of_acceleration = |name: &str, names: Vec<String>, variable: Variable| {
         let name = format_ident!("{name}");
@@ -123,8 +123,8 @@ fn places_of_body(
     ]
 }
 
-/// The names, places and numbers of components of reactions; for a system force and moment of each
-/// supporting joint, and the load of each constraint.
+/// The names of reactions, where they are, and their numbers of components. For a system, these are
+/// the force and moment of each joint that has reactions, and the load of each constraint.
 fn reactions(outline: &Outline) -> Vec<(String, TokenStream, usize)> {
     let count = |kind: LoadKind| outline.motion.axes_of(kind).len();
     let own = outline.reactions.iter().map(|(word, kind)| {
@@ -176,7 +176,7 @@ impl Block<'_> {
         tokens
     }
 
-    /// The constants of a generic body, each made from a value at hand.
+    /// The constants of a generic body, each made from a value that is available.
     pub fn constants(&mut self, constants: &BTreeSet<Id>) -> TokenStream {
         let graph = &self.writer.work.graph;
         let numbers: Vec<(Id, Number)> = constants
@@ -197,7 +197,7 @@ impl Block<'_> {
         tokens
     }
 
-    /// A value that every function of this stage has.
+    /// A value that is available in every function of this stage.
     fn value_at_hand(&mut self) -> TokenStream {
         let outline = self.writer.outline;
         let (motion, state) = (outline.motion, local("state"));
@@ -239,7 +239,7 @@ impl Block<'_> {
         }
     }
 
-    /// `let area = Self::given_area();` of constants that are not stored.
+    /// `let area = Self::given_area();` for constants that are not stored.
     fn read_constants(&mut self, symbols: &[(Id, Meaning)]) -> TokenStream {
         let component = |meaning: Meaning| match meaning {
             Meaning::Constant(number) => Some(number),
@@ -285,7 +285,7 @@ impl Block<'_> {
         tokens
     }
 
-    /// `let [x, _, z]: [f64; 3] = path.into();`, or `let angle = path;` of a scalar.
+    /// `let [x, _, z]: [f64; 3] = path.into();`, or `let angle = path;` for a scalar.
     fn read_components(
         &mut self,
         found: &[(usize, Id)],
@@ -299,7 +299,7 @@ impl Block<'_> {
         }
         let mut pattern = Vec::new();
         for (component, wanted) in names.iter().enumerate() {
-            // planar angular quantities are along z and have one name
+            // in the plane, angular quantities are along z and have a single name
             let Some((_, id)) = found.iter().find(|(found, _)| *found == component) else {
                 pattern.push(quote!(_));
                 continue;
@@ -313,7 +313,7 @@ impl Block<'_> {
         quote!(let [#(#pattern),*]: [#kind; #count] = #path.into();)
     }
 
-    /// `let Params { arm, .. } = self.params;`, and the components of the vectors among them.
+    /// `let Params { arm, .. } = self.params;`, and the components of any vectors in it.
     fn read_declared(
         &mut self,
         symbols: &[(Id, Meaning)],
@@ -358,7 +358,7 @@ impl Block<'_> {
         let (body, input) = (&self.writer.outline.name, local("input"));
         let (suffix, place) = match (source, self.writer.stage) {
             (Source::Input, _) => ("Input", quote!(*#input)),
-            // in the constructor the parameters are not stored yet
+            // in the constructor, the parameters are not stored yet
             (_, Stage::Parameter) => ("Params", quote!(params)),
             _ => ("Params", quote!(self.params)),
         };

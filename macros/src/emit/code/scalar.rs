@@ -1,5 +1,5 @@
-//! The scalar of a body: `f64`, or the type parameter of its description; and the only place that
-//! names the runtime.
+//! The scalar of a body: `f64`, or the type parameter of its description. The path of the runtime
+//! is made here and nowhere else.
 
 use std::fmt::{Display, LowerExp};
 
@@ -9,7 +9,7 @@ use quote::{format_ident, quote};
 use crate::model::Outline;
 use crate::symbolic::Number;
 
-/// The path of the names for generated code.
+/// The path to the names that generated code uses.
 pub fn private(outline: &Outline) -> TokenStream {
     let runtime = &outline.runtime;
     quote!(#runtime::private)
@@ -18,9 +18,10 @@ pub fn private(outline: &Outline) -> TokenStream {
 /// The number type of a body.
 #[derive(Clone)]
 pub struct Scalar {
-    /// For a generic body.
+    /// The name of the type parameter, for a generic body.
     name: Option<Ident>,
-    /// A generic body must be named with its scalar, even if that is `f64`.
+    /// Whether the body is generic: then its type is written with the scalar, even if that is
+    /// `f64`.
     is_applied: bool,
     private: TokenStream,
 }
@@ -34,7 +35,7 @@ impl Scalar {
         }
     }
 
-    /// `f64`, even for a generic body: for computations in doubles only.
+    /// `f64`, even for a generic body, for what is computed in doubles only.
     pub fn double(outline: &Outline) -> Self {
         Self {
             name: None,
@@ -66,7 +67,7 @@ impl Scalar {
         quote!(#(<#kind>)*)
     }
 
-    /// A numeric type of the runtime, in types and in expressions.
+    /// A numeric type of the runtime, as it is written in types and in expressions.
     pub fn holder(&self, name: &str) -> TokenStream {
         let (private, name) = (&self.private, format_ident!("{name}"));
         self.name.as_ref().map_or_else(
@@ -75,7 +76,7 @@ impl Scalar {
         )
     }
 
-    /// A constant: a literal, or made from a value at hand.
+    /// A constant: a literal, or for a generic body a scalar made from the value `at_hand`.
     pub fn constant(&self, number: &Number, at_hand: &TokenStream) -> TokenStream {
         let double = number_literal(number.to_f64());
         if !self.is_generic() {
@@ -86,14 +87,14 @@ impl Scalar {
     }
 }
 
-/// A double, as the shortest literal that reads back as it.
+/// A double, as the shortest literal that is read back as the same double.
 pub fn number_literal(value: f64) -> TokenStream {
     let magnitude = value.abs();
     let plain = magnitude == 0.0 || (1e-5..1e16).contains(&magnitude);
     literal(value < 0.0, plain, magnitude)
 }
 
-/// The same in single precision; a number out of its range is infinite.
+/// The same in single precision. A number outside its range is infinite.
 fn single_literal(value: f32) -> TokenStream {
     let magnitude = value.abs();
     if magnitude.is_infinite() {

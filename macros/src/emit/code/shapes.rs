@@ -1,4 +1,4 @@
-//! Shapes: the runtime's types for a kind of motion, and how they are filled.
+//! Shapes: the runtime's types for a kind of motion, and how they are filled with values.
 
 use core::ops::Range;
 
@@ -16,14 +16,14 @@ use super::scalar::{Scalar, private};
 #[derive(Clone)]
 pub struct Shapes {
     pub motion: Motion,
-    /// For a state with parts: the name of its owner, and the parts with their shapes.
+    /// For a state with parts: the name of its struct, and the parts with their shapes.
     parts: Option<(Ident, Vec<(Ident, &'static Shape)>)>,
     is_system: bool,
     pub scalar: Scalar,
     pub private: TokenStream,
 }
 
-/// Values of components, taken in the order of the request.
+/// The values of components, in the order in which they were requested.
 pub type Values<'a> = std::slice::Iter<'a, TokenStream>;
 
 impl Shapes {
@@ -64,7 +64,7 @@ impl Shapes {
         }
     }
 
-    /// In the plane a moment is a scalar.
+    /// The type of a moment; in the plane, a scalar.
     pub fn moment_type(&self) -> TokenStream {
         if self.motion.is_planar {
             self.scalar.kind()
@@ -76,7 +76,7 @@ impl Shapes {
     pub fn acceleration_type(&self) -> TokenStream {
         if let Some((name, parts)) = &self.parts {
             let name = format_ident!("{name}Acceleration");
-            // that of a state without coordinates has no numbers
+            // the acceleration of a state without coordinates contains no numbers
             let applied = (!parts.is_empty()).then(|| self.scalar.applied());
             return quote!(#name #applied);
         }
@@ -104,14 +104,14 @@ impl Shapes {
         self.scalar.holder(name)
     }
 
-    /// A matrix of so many rows and columns.
+    /// The type of a matrix with this many rows and columns.
     pub fn matrix_type(&self, size: [usize; 2]) -> TokenStream {
         let (private, kind) = (&self.private, self.scalar.kind());
         let [rows, columns] = size.map(Literal::usize_unsuffixed);
         quote!(#private::SMatrix<#kind, #rows, #columns>)
     }
 
-    /// A matrix, column by column.
+    /// A matrix, filled column by column.
     pub fn matrix(&self, [rows, columns]: [usize; 2], values: &mut Values<'_>) -> TokenStream {
         let private = &self.private;
         let columns = (0..columns).map(|_| {
@@ -132,7 +132,7 @@ impl Shapes {
         &components[self.motion.axes_of(LoadKind::Moment)]
     }
 
-    /// The components of a pair of a linear and an angular vector, as far as the motion has them.
+    /// The components of a linear and an angular vector that the motion has.
     pub fn pair_part(&self, Pair { linear, angular }: &Pair) -> Vec<Id> {
         let (linear_axes, angular_axes) = (self.motion.linear_axes(), self.motion.angular_axes());
         [&linear[linear_axes], &angular[angular_axes]].concat()
@@ -156,7 +156,7 @@ impl Shapes {
         [linear, angular].concat()
     }
 
-    /// The components of a wrench; for a body that only rotates, those of the moment.
+    /// The components of a wrench. For a body that only rotates, those of its moment.
     pub fn wrench_part(&self, force: &Components, moment: &Components) -> Vec<Id> {
         let force = if self.motion.knows_position() {
             self.vector_part(force)
@@ -201,7 +201,7 @@ impl Shapes {
         self.numbers_type(shape.second.first().map_or(0, |field| field.names.len()))
     }
 
-    /// A scalar, or a vector of this many numbers.
+    /// The type of a scalar, or of a vector of this many numbers.
     pub fn numbers_type(&self, count: usize) -> TokenStream {
         let (private, kind) = (&self.private, self.scalar.kind());
         match count {
@@ -275,8 +275,8 @@ impl Shapes {
         }
     }
 
-    /// `State { velocity: .., angular_velocity: .., ..*state }`, for a rod `axis_rate`, with these
-    /// velocities or at rest.
+    /// `State { velocity: .., angular_velocity: .., ..*state }`, or `axis_rate` for a rod, with
+    /// these velocities or at rest.
     pub fn moving_state(&self, values: &mut Values<'_>, moves: bool) -> TokenStream {
         let state = local("state");
         let Some((name, parts)) = &self.parts else {
@@ -304,7 +304,7 @@ impl Shapes {
         quote!(#name { #(#fields),* })
     }
 
-    /// The motion of a single body, at this place.
+    /// The motion of a single body, at the place that the state gives.
     fn moving_body(
         &self,
         place: &TokenStream,

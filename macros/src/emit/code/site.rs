@@ -1,4 +1,4 @@
-//! The context for writing methods: in the scalar of the body, or in doubles.
+//! What methods are written with: in the scalar of the body, or in doubles.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -13,7 +13,7 @@ use super::writer::{Source, Writer};
 pub struct Site<'a> {
     pub outline: &'a Outline,
     pub shapes: Shapes,
-    /// None for an invalid description.
+    /// `None` for an invalid description.
     writer: Option<Writer<'a>>,
 }
 
@@ -35,7 +35,7 @@ impl<'a> Site<'a> {
         }
     }
 
-    /// The method for a derived result; without one, a method that is never run.
+    /// The method for a derived result. Without a result, a method that is never run.
     pub fn method<D: ?Sized>(
         &self,
         derived: Option<&D>,
@@ -45,7 +45,7 @@ impl<'a> Site<'a> {
         both.map_or_else(Method::never, |(writer, derived)| write(writer, derived))
     }
 
-    /// `impl Trait for Body`, for a generic body `impl<T: Scalar> Trait for Body<T>`
+    /// `impl Trait for Body`; for a generic body, `impl<T: Scalar> Trait for Body<T>`.
     pub fn header(&self, name: &str) -> TokenStream {
         self.header_with(name, &TokenStream::new())
     }
@@ -84,7 +84,7 @@ impl<'a> Site<'a> {
         quote!(#name #applied)
     }
 
-    /// `Result<kind, Singular>`, if the result may not exist.
+    /// `kind`, or `Result<kind, Singular>` if the result may not exist.
     pub fn fallible(&self, kind: TokenStream, is_fallible: bool) -> TokenStream {
         if !is_fallible {
             return kind;
@@ -93,7 +93,7 @@ impl<'a> Site<'a> {
         quote!(::core::result::Result<#kind, #private::Singular>)
     }
 
-    /// `time: f64, state: &State, ..`, with an underscore before unused arguments.
+    /// `time: f64, state: &State, ..`. Unused arguments begin with an underscore.
     pub fn arguments(&self, method: &Method, sources: &[Source]) -> TokenStream {
         let shapes = &self.shapes;
         let arguments = sources.iter().map(|source| {

@@ -11,23 +11,23 @@ use super::block::Block;
 use super::text::to_text;
 use super::writer::{Source, Writer};
 
-/// Runs of more statements than `LONG` declare their names in groups of `GROUP`.
+/// If there are more statements than `LONG`, their names are declared in groups of `GROUP`.
 const LONG: usize = 2048;
 const GROUP: usize = 256;
 
 /// The code of one function.
 pub struct Code {
-    /// Reads the arguments, and computes.
+    /// Statements that read the arguments and compute.
     pub statements: TokenStream,
     /// The requested outputs.
     pub outputs: Vec<TokenStream>,
     pub facts: Facts,
 }
 
-/// Facts about code.
+/// What is known about code.
 #[derive(Default)]
 pub struct Facts {
-    /// The sources that it reads: unused arguments get an underscore.
+    /// Where it reads values from. Arguments that it does not read get an underscore.
     pub reads: Vec<Source>,
     pub cost: Cost,
     /// Whether statements carry notes.
@@ -35,18 +35,18 @@ pub struct Facts {
     /// Whether numbers are compared for equality.
     pub has_equality: bool,
     pub guards: Guards,
-    /// The statements as text, for documentation.
+    /// The statements as text, for the documentation.
     pub text: Vec<String>,
     /// The requested outputs as text.
     pub output_text: Vec<String>,
 }
 
-/// The guards of code, which gives NaN if they fail.
+/// The guards in code. If one fails, the result is NaN.
 #[derive(Clone, Copy, Default)]
 pub struct Guards {
     /// Whether it divides by something that may vanish.
     pub pivots: bool,
-    /// Whether positive quantities, such as masses, change.
+    /// Whether it checks positive quantities that change, such as masses.
     pub positives: bool,
 }
 
@@ -57,9 +57,9 @@ struct Line {
     note: Option<String>,
 }
 
-/// `let a = ..; let b = ..;`, and for a long run `let (a, b); a = ..; b = ..;`. Each `let` opens a
-/// scope within the previous one, and debug information of thousands of them overflows the stack of
-/// the compiler.
+/// `let a = ..; let b = ..;`, or, if there are many, `let (a, b); a = ..; b = ..;`. Each `let`
+/// opens a scope inside the previous one, and the debug information for thousands of scopes
+/// overflows the stack of the compiler.
 fn written(lines: &[Line]) -> TokenStream {
     if lines.len() <= LONG {
         let lines = lines.iter().map(|Line { left, right, note }| {
@@ -77,8 +77,8 @@ fn written(lines: &[Line]) -> TokenStream {
 }
 
 impl Writer<'_> {
-    /// The code that computes `outputs`. The code of a generic body has a line for each constant;
-    /// its text is that of the same code for `f64`.
+    /// The code that computes `outputs`. The code of a generic body has a line for each constant,
+    /// but the text is that of the same code for `f64`.
     pub fn function(&self, outputs: &[Id]) -> Code {
         let program = self.schedule(outputs);
         let (plain, numbers) = self.write(&program, None);
@@ -91,7 +91,8 @@ impl Writer<'_> {
         generic
     }
 
-    /// The code of a program, and the numbers in it; with `constants`, for any scalar.
+    /// The code of a program, and the numbers in it. With `constants`, it is written for any
+    /// scalar.
     fn write(&self, program: &Program, constants: Option<&BTreeSet<Id>>) -> (Code, BTreeSet<Id>) {
         let mut block = Block::new(self, constants.is_some());
         let mut statements = block.read(program);
@@ -132,7 +133,7 @@ impl Writer<'_> {
 }
 
 impl Block<'_> {
-    /// The statements of `program` that are due and unnamed, as code and as text.
+    /// The statements of `program` that are due and have no name yet, as code and as text.
     pub fn statements(
         &mut self,
         program: &Program,
@@ -154,8 +155,7 @@ impl Block<'_> {
         (written(&lines), text)
     }
 
-    /// A name and its value; a sine and a cosine of the same angle are computed
-    /// together.
+    /// The left and the right side of a statement. A sine and a cosine of the same angle share one.
     fn statement(&mut self, id: Id, name: Ident, program: &Program) -> (TokenStream, TokenStream) {
         let graph = &self.writer.work.graph;
         let pair = graph

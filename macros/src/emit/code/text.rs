@@ -1,8 +1,8 @@
-//! Generated code as text, for documentation.
+//! Generated code as text, for the documentation.
 
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 
-/// Tokens as a line of text, for documentation.
+/// Tokens as a line of text.
 pub fn to_text(tokens: &TokenStream) -> String {
     let mut text = String::new();
     let mut pending = reversed(tokens.clone());
@@ -52,12 +52,13 @@ pub fn to_text(tokens: &TokenStream) -> String {
             tight = false;
         }
     }
-    // `$crate::private::math::sin(x)` and `self.inverse_mass` are more readable without their paths
+    // `$crate::private::math::sin(x)` and `self.inverse_mass` are easier to read without their
+    // paths
     let functions = without_path(&text, "private::math::");
     without_guards(&without_path(&functions, "private::")).replace("self.", "")
 }
 
-/// `determined(divisor, scale)` as the quotient that it is.
+/// Writes `determined(divisor, scale)` as the quotient that it computes.
 fn without_guards(text: &str) -> String {
     let parts = text.split_once("determined(").and_then(|(before, call)| {
         let (divisor, call) = call.split_once(", ")?;
@@ -73,7 +74,7 @@ fn without_guards(text: &str) -> String {
     format!("{before}(1 / {divisor}){}", without_guards(after))
 }
 
-/// Removes a path that ends like this, wherever it begins.
+/// Removes a path that ends like this, whatever it begins with.
 fn without_path(text: &str, end: &str) -> String {
     let is_path = |c: char| c.is_alphanumeric() || matches!(c, '_' | ':' | '$');
     let mut parts: Vec<&str> = text.split(end).collect();

@@ -1,4 +1,4 @@
-//! The context for writing functions: their arguments, stored fields, and number types.
+//! What functions are written with: their arguments, stored fields, and number types.
 
 use proc_macro2::Ident;
 
@@ -11,7 +11,7 @@ use super::shapes::Shapes;
 /// Names that exist before the first statement of a function.
 const TAKEN: &str = "self time state input acceleration reactions params f64";
 
-/// The sources of the values of symbols.
+/// Where the values of symbols come from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Source {
     Time,
@@ -25,7 +25,7 @@ pub enum Source {
 /// The arguments of most methods.
 pub const COMMON: [Source; 3] = [Source::Time, Source::State, Source::Input];
 
-/// Expressions that the constructor stores, by their fields.
+/// Expressions that the constructor stores, each with its field.
 #[derive(Default)]
 pub struct Fields(pub Vec<(Id, Ident)>);
 
@@ -38,12 +38,12 @@ impl Fields {
     }
 }
 
-/// The form in which functions receive the motion.
+/// How functions receive the motion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Told {
     Nothing,
     State,
-    /// The numbers of state and input as arrays, for constants.
+    /// As arrays with the numbers of state and input, for evaluation in constants.
     Arrays,
 }
 
@@ -52,15 +52,16 @@ pub enum Told {
 pub struct Writer<'a> {
     pub work: &'a Workspace,
     pub outline: &'a Outline,
-    /// Fields stored by the constructor, to be read.
+    /// The fields that the constructor has stored, which can be read.
     pub fields: &'a Fields,
-    /// Fields to be computed and stored by the constructor, under these names.
+    /// The fields that the constructor is to compute and store, with their names.
     pub targets: &'a Fields,
     pub stage: Stage,
-    /// Whether the functions return a `Result`, so that an impossible division ends them;
-    /// in the others it panics.
+    /// Whether the functions return a `Result`, so that an impossible division returns an error. In
+    /// other functions, it panics.
     pub is_fallible: bool,
-    /// Whether they compute everything that is not stored, for functions that are rarely called.
+    /// Whether the functions compute everything that is not stored, as functions that are rarely
+    /// called do.
     pub is_whole: bool,
     pub told: Told,
     /// The number type, and the numeric types.
@@ -68,7 +69,7 @@ pub struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    /// For functions of the state, in the scalar of the body.
+    /// Writes functions of the state, in the scalar of the body.
     pub fn new(outline: &'a Outline, work: &'a Workspace, fields: &'a Fields) -> Self {
         Self {
             work,
@@ -83,7 +84,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// For functions in doubles, of a generic body too.
+    /// Writes functions in doubles, even for a generic body.
     pub fn double(&self) -> Self {
         Self {
             shapes: Shapes::double(self.outline),
@@ -99,9 +100,9 @@ impl<'a> Writer<'a> {
         graph.schedule(outputs, self.stage)
     }
 
-    /// Names that are taken before statements: those of arguments and those of fields. In code,
-    /// `self` distinguishes fields from statements, but in the text nothing does; fields may also
-    /// be those that the constructor has not computed yet.
+    /// The names that are taken before any statement: those of arguments and of fields. In code,
+    /// `self` distinguishes fields from statements, but in the text nothing does. Fields that the
+    /// constructor has not computed yet count, too.
     pub fn taken(&self) -> Names {
         let fields = self.fields.0.iter().chain(&self.targets.0);
         let fields = fields.map(|(_, name)| name.to_string());

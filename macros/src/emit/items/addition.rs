@@ -1,4 +1,4 @@
-//! Additions of outputs to a body.
+//! What outputs add to a body.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -14,11 +14,11 @@ use super::rigid_body::Best;
 #[derive(Default)]
 pub struct Addition {
     pub implementations: TokenStream,
-    /// The structs among these.
+    /// The names of the structs in them.
     pub structs: Vec<Ident>,
-    /// Operation counts by method, except for methods of the runtime.
+    /// The operation counts of methods, except for methods of the runtime.
     pub costs: Vec<(&'static str, Cost)>,
-    /// The integration method, if it is better than the general one.
+    /// The method of integration that it makes possible, if that is better than the general one.
     pub best: Best,
     /// Remarks about the use of a method.
     pub remarks: Vec<&'static str>,

@@ -8,7 +8,7 @@ use crate::model::{Declared, Outline};
 
 use super::constructor::Constructor;
 
-/// Nothing for a body of `f64`, or for a system without motion.
+/// The columns of a body. A body of `f64` has none, nor has a system without motion.
 pub fn emit_columns(outline: &Outline, constructor: &Constructor) -> TokenStream {
     if outline.scalar.is_none() || outline.is_still() {
         return TokenStream::new();
@@ -17,7 +17,7 @@ pub fn emit_columns(outline: &Outline, constructor: &Constructor) -> TokenStream
         let components = |field: &Declared| field.frame.map_or(1, |_| outline.motion.axes());
         declared.iter().map(components).sum()
     };
-    // the body with all its stored fields
+    // the body, with all stored fields
     let has_params = !outline.params.is_empty();
     let empty = (!has_params).then(|| quote!(scalar: ::core::marker::PhantomData));
     let params = has_params.then(|| format_ident!("params"));
@@ -37,7 +37,7 @@ pub fn emit_columns(outline: &Outline, constructor: &Constructor) -> TokenStream
     quote!(#columns #generic)
 }
 
-/// A struct of `count` scalars; `empty` is a field without content.
+/// A struct of `count` scalars; `empty` is a field that holds nothing.
 fn emit_struct(
     outline: &Outline,
     suffix: &str,

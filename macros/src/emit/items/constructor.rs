@@ -1,4 +1,4 @@
-//! The constructor of a body: it checks the parameters, and computes and stores everything that
+//! The constructor of a body. It checks the parameters, and computes and stores everything that
 //! depends on them alone.
 
 use proc_macro2::{Ident, Span, TokenStream};
@@ -14,7 +14,7 @@ use super::possible::Checked;
 pub struct Roots {
     /// The expressions that must be finite.
     pub finite: Vec<Id>,
-    /// The times at which the equations change. One that is not finite is no switch.
+    /// The times at which the equations change. A time that is not finite is no switch.
     pub switches: Vec<Id>,
     /// The entries of a tensor whose principal axes a body of doubles stores.
     pub tensor: Option<[Id; 6]>,
@@ -25,11 +25,11 @@ pub struct Roots {
 /// The content of `new`, and the fields that a body stores.
 #[derive(Default)]
 pub struct Constructor {
-    /// Fields next to `params`: expressions that depend on the parameters alone.
+    /// The fields next to `params`: expressions that depend on parameters alone.
     pub stored: Vec<Ident>,
-    /// The field of principal axes, if a closed form needs them.
+    /// The field for principal axes, if a closed form needs them.
     pub axes: Option<Ident>,
-    /// Checks and computations of `new`.
+    /// What `new` checks and computes.
     pub body: TokenStream,
     pub cost: Cost,
     /// The computations as text.
@@ -39,7 +39,7 @@ pub struct Constructor {
 /// The expressions that depend on parameters alone, each with the name of its field.
 pub fn stored_fields(outline: &Outline, work: &Workspace, roots: &Roots) -> Fields {
     let mut all = [&roots.finite[..], &roots.switches].concat();
-    // for any scalar there are no principal axes to be stored
+    // a generic body stores no principal axes
     if outline.scalar.is_some() {
         all.extend(roots.tensor.into_iter().flatten());
     }
@@ -58,13 +58,13 @@ pub fn stored_fields(outline: &Outline, work: &Workspace, roots: &Roots) -> Fiel
     Fields(fields.collect())
 }
 
-/// The parts of expressions that are known early, as they are stored.
+/// All parts of expressions, down to those that are known early, which are stored as a whole.
 fn reached(work: &Workspace, roots: &[Id]) -> Vec<Id> {
     let graph = &work.graph;
     graph.reachable(roots, |id| !graph.is_early(id))
 }
 
-/// A constant has the names of the parameters from which it is computed.
+/// The name of a field. A constant is named after the parameters that it is computed from.
 fn field_name(outline: &Outline, work: &Workspace, id: Id) -> String {
     let graph = &work.graph;
     let mut words: Vec<String> = Vec::new();
@@ -81,7 +81,8 @@ fn field_name(outline: &Outline, work: &Workspace, id: Id) -> String {
 }
 
 impl Constructor {
-    /// `new` checks the parameters, and computes and stores everything that depends on them alone.
+    /// Writes `new`, which checks the parameters, and computes and stores everything that depends
+    /// on them alone.
     pub fn write(
         outline: &Outline,
         (bodies, work): (&[Substance], &Workspace),
@@ -153,7 +154,7 @@ impl Constructor {
     }
 }
 
-/// The parameters, or the marker of the scalar of a body without any.
+/// The field for the parameters, or the marker of the scalar of a body without parameters.
 fn own_fields(outline: &Outline) -> TokenStream {
     match (outline.params.is_empty(), &outline.scalar) {
         (false, _) => quote!(params,),
@@ -162,7 +163,7 @@ fn own_fields(outline: &Outline) -> TokenStream {
     }
 }
 
-/// `area = crate::AREA` of each constant of the user.
+/// `area = crate::AREA` for each constant of the user.
 fn constants_text(work: &Workspace) -> Vec<String> {
     let constants = work.constants.iter();
     constants
@@ -170,7 +171,7 @@ fn constants_text(work: &Workspace) -> Vec<String> {
         .collect()
 }
 
-/// `let arm = ..;` for each field that is not yet a statement with its name; and the same as text.
+/// `let arm = ..;` for each field that is not yet a statement of that name, and the same as text.
 fn let_fields(
     stored: &[Ident],
     values: &[TokenStream],
@@ -198,7 +199,7 @@ fn check_properties(
     checks.collect()
 }
 
-/// Checks that stored values are finite, where they must be.
+/// Checks that stored values are finite where they must be.
 fn check_derived(
     work: &Workspace,
     roots: &Roots,
@@ -212,7 +213,7 @@ fn check_derived(
     (!checked.is_empty()).then(|| quote!(#private::check_finite(&[#((#words, #checked)),*])?;))
 }
 
-/// `check_finite(&[("arm", params.arm), ..])?;` of every parameter, by component.
+/// `check_finite(&[("arm", params.arm), ..])?;` for every component of every parameter.
 fn check_params(outline: &Outline, private: &TokenStream) -> Option<TokenStream> {
     let axes = AXES[..outline.motion.axes()].iter();
     let axes = axes.map(|axis| Ident::new(axis, Span::call_site()));

@@ -1,4 +1,5 @@
-//! The documentation of a body: its equations, its class, their cost and the skipped terms.
+//! The documentation of a body: its equations, its class, the cost of its functions, and the
+//! skipped terms.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
@@ -13,10 +14,10 @@ use super::addition::Addition;
 use super::constructor::Constructor;
 use super::rigid_body::Best;
 
-/// The rustdoc of the type, and its inherent constants.
+/// The rustdoc of the type, and its associated constants.
 pub struct Documentation {
-    /// The type's documentation. The equations appear only in rustdoc: in the expansion the code
-    /// shows them.
+    /// The documentation of the type. It contains the equations only when rustdoc runs: in an
+    /// expansion, the code shows them.
     pub lines: TokenStream,
     /// `EQUATIONS`, `OPERATIONS`, `SKIPPED`.
     pub constants: TokenStream,
@@ -121,7 +122,8 @@ fn lines(
     }
 }
 
-/// What only rustdoc shows: laws and equations as `MathML`, and the statements as computed.
+/// What only rustdoc shows: laws and equations in `MathML`, and the statements as they are
+/// computed.
 fn page(text: &[String], report: &Report) -> String {
     let headed = |heading: &str, content: Option<String>| {
         content.map_or_else(String::new, |content| {
@@ -155,7 +157,7 @@ fn integration(best: Best, is_constrained: bool) -> String {
     format!("By default `integrate` {method}{projected}.")
 }
 
-/// The equations of the constructor, then those of the acceleration.
+/// The equations that the constructor computes, followed by those of the acceleration.
 fn equations_text(acceleration: &Method, constructor: &Constructor) -> Vec<String> {
     let (stored, evaluated) = (&constructor.text[..], &acceleration.facts.text[..]);
     if stored.is_empty() {
@@ -184,11 +186,11 @@ fn spaced(line: &str) -> String {
     }
 }
 
-/// The states of a changing body without an acceleration.
+/// In which states a changing body has no acceleration.
 const CHANGING: &str =
     " Where the mass or an inertia, which can change, is not positive, `acceleration` is NaN.";
 
-/// The states without an acceleration, if a divisor may vanish.
+/// In which states a body has no acceleration, if a divisor may vanish.
 fn singular(outline: &Outline) -> &'static str {
     if outline.is_constrained {
         " Where the constraints do not determine their reactions, `acceleration` is NaN, and \
@@ -247,7 +249,7 @@ fn constants(
     }
 }
 
-/// The documentation of a field: what the description says, its unit, axes and default.
+/// The documentation of a field: the text in the description, and its unit, axes and default.
 pub fn declared_doc(declared: &Declared) -> String {
     let moving = if declared.moves {
         ", at the time it is given"

@@ -1,5 +1,5 @@
-//! Rust items of the user, each wrapped in a function of the body, so that names resolve
-//! at the description, and type errors are reported once.
+//! Rust items of the user. Each is wrapped in a function of the body, so that names resolve at the
+//! description, and type errors are reported once.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
@@ -37,7 +37,7 @@ pub fn emit_foreign(outline: &Outline, work: &Workspace) -> TokenStream {
     }
 }
 
-/// The name of an argument, invisible to the path of a function.
+/// The name of an argument, which the path of a function cannot refer to.
 fn hidden(name: &Ident) -> Ident {
     Ident::new(
         &name.to_string(),

@@ -1,4 +1,4 @@
-//! Loads with unknown components, as they are solved for.
+//! The values of loads with unknown components, once they are solved for.
 
 use proc_macro2::Ident;
 use quote::quote;
@@ -53,7 +53,7 @@ fn open_fields(outline: &Outline, open: &[(Ident, LoadKind)]) -> Vec<Field> {
     fields.collect()
 }
 
-/// `BodyReactions { pin: .., guide: .. }`, for `open` loads.
+/// `BodyReactions { pin: .., guide: .. }` for the loads `open`.
 pub fn write_open(
     writer: &Writer<'_>,
     record: &Record,

@@ -6,15 +6,15 @@ use quote::quote;
 use crate::model::Substance;
 use crate::symbolic::Id;
 
-/// Masses and inertias that are checked together, in systems with the names of their bodies: masses
-/// first, because inertias may depend on them.
+/// Masses and inertias that are checked together; in systems, with the names of their bodies.
+/// Masses come first, because inertias may depend on them.
 pub struct Checked<'a> {
     masses: Vec<(Option<&'a str>, Id)>,
     inertias: Vec<(Option<&'a str>, Vec<Id>)>,
 }
 
 impl<'a> Checked<'a> {
-    /// The properties whose values are `wanted`.
+    /// The masses and inertias whose values are `wanted`.
     pub fn of(bodies: &'a [Substance], wanted: impl Fn(&[Id]) -> bool) -> Self {
         let masses = bodies
             .iter()

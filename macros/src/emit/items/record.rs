@@ -6,7 +6,8 @@ use quote::{format_ident, quote};
 use crate::emit::code::{Scalar, Values, private};
 use crate::model::Outline;
 
-/// `BodyReactions { elbow: Wrench, .. }`: its suffix to the name of the body, and its fields.
+/// A struct such as `BodyReactions { elbow: Wrench, .. }`: the suffix to the name of the body, and
+/// the fields.
 pub struct Record {
     pub suffix: &'static str,
     pub doc: String,
@@ -65,8 +66,9 @@ impl Record {
         }
     }
 
-    /// `record! { BodyParams { "m" length: f64, .. } }`, for declared quantities: the runtime gives
-    /// them names, and serialization if it has that feature. Nothing for a struct without fields.
+    /// `record! { BodyParams { "m" length: f64, .. } }`, for declared quantities. The runtime's
+    /// macro gives the fields names, and serialization if that feature is on. `None` for a struct
+    /// without fields.
     fn written(&self, outline: &Outline) -> Option<TokenStream> {
         let (name, private, scalar) = (self.name(outline), private(outline), &outline.scalar);
         let fields = self.fields.iter().map(|field| {
@@ -81,7 +83,7 @@ impl Record {
         Some(quote!(#private::record! { #name #(<#scalar>)* { #(#fields),* } }))
     }
 
-    /// The struct, with each field, by its index, filled from the next values.
+    /// The struct. Each field is made for its index from the next values.
     pub fn filled(
         &self,
         outline: &Outline,
@@ -99,19 +101,19 @@ impl Record {
         quote!(#name { #(#fields,)* #empty })
     }
 
-    /// Whether only a marker uses its scalar.
+    /// Whether its scalar occurs only in a marker.
     fn is_marked(&self, outline: &Outline) -> bool {
         self.fields.is_empty() && Scalar::of(outline).is_generic()
     }
 }
 
-/// Users may call inputs `thrust_1`, `thrust_2`, ...
+/// The lints that the struct allows: users may call inputs `thrust_1`, `thrust_2`, ...
 fn lints<'n>(names: impl IntoIterator<Item = &'n Ident>) -> TokenStream {
     let snake_case = snake_case(names).map(|lint| quote!(, #lint));
     quote!(#[allow(clippy::struct_field_names #snake_case)])
 }
 
-/// The permission for names like a parameter `J` or a reaction `R_v`.
+/// The lint to allow for names such as a parameter `J` or a reaction `R_v`.
 pub fn snake_case<'n>(names: impl IntoIterator<Item = &'n Ident>) -> Option<TokenStream> {
     let has_capitals = |name: &Ident| name.to_string().contains(char::is_uppercase);
     let unusual = names.into_iter().any(has_capitals);

@@ -1,4 +1,5 @@
-//! The implementations of every body: its accelerations, their switches, and its integration.
+//! What every body implements: its accelerations, the times at which these switch, and its
+//! integration.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -10,14 +11,14 @@ use crate::symbolic::{Id, Number};
 
 use super::possible::Checked;
 
-/// The accelerations, in the order of the state, and their switches.
+/// The accelerations, in the order of the state, and the times at which they switch.
 pub struct Equated {
     pub accelerations: Vec<Id>,
     pub switches: Vec<Switch>,
     pub partial: Vec<Partial>,
 }
 
-/// The best integration method for a body, starting from the one that every body has.
+/// The best method of integration for a body, in ascending order from the one that every body has.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub enum Best {
     #[default]
@@ -26,13 +27,13 @@ pub enum Best {
     ClosedForm,
 }
 
-/// `fn acceleration(..)`, whose cost and text are documented.
+/// `fn acceleration(..)`. Its cost and its text appear in the documentation.
 pub fn write_acceleration(site: &Site<'_>, equations: Option<&Equated>) -> Method {
     let shapes = &site.shapes;
     site.method(equations, |writer, equations| {
         let outputs = &equations.accelerations;
         let mut method = Method::write(writer, outputs, |values| shapes.acceleration(values));
-        // results known early are not statements, but appear in the text
+        // results known early are not statements, but they appear in the text
         let results = shapes
             .acceleration_names()
             .into_iter()
@@ -64,7 +65,7 @@ pub fn emit_rigid_body(
     let input_after = emit_input_after(site);
     let lost_load = equations.map(|equations| emit_lost_load(site, &equations.partial));
     let possible = emit_possible(site, bodies);
-    // in lanes, everything must be compiled for the register
+    // in lanes, all code must be compiled for the wide registers
     let inline = if shapes.scalar.is_generic() {
         quote!(#[allow(clippy::inline_always)] #[inline(always)])
     } else {
@@ -111,7 +112,7 @@ fn emit_lost_load(site: &Site<'_>, partial: &[Partial]) -> Option<TokenStream> {
     Some(quote!(#[cold] #method))
 }
 
-/// `check_mass(mass)?; ..` for bodies that change during a motion.
+/// `check_mass(mass)?; ..`, for bodies that change during a motion.
 fn emit_possible(site: &Site<'_>, bodies: &[Substance]) -> Option<TokenStream> {
     let method = site.method(Some(bodies), |writer, bodies| {
         let graph = &writer.work.graph;
@@ -119,7 +120,7 @@ fn emit_possible(site: &Site<'_>, bodies: &[Substance]) -> Option<TokenStream> {
         if checked.is_empty() {
             return Method::default();
         }
-        // the checks take the values only
+        // the checks take the values themselves
         let outputs = checked.values();
         let outputs: Vec<Id> = outputs.into_iter().map(|id| graph.unchecked(id)).collect();
         let writer = Writer {
@@ -155,7 +156,7 @@ fn emit_switches(site: &Site<'_>, switches: &[Switch]) -> Option<TokenStream> {
 
 /// `times.at(50.0); times.every(self.start, self.period);`
 fn write_switches(writer: &Writer<'_>, switches: &[Switch]) -> Method {
-    // numbers need no scalar to be made from
+    // numbers are written as literals, and not made from a scalar
     let graph = &writer.work.graph;
     let number = |id: &Id| {
         graph
@@ -187,7 +188,7 @@ fn write_switches(writer: &Writer<'_>, switches: &[Switch]) -> Method {
     })
 }
 
-/// A `.moving` input continues with its rate and acceleration.
+/// The inputs at a later time: a `.moving` input continues with its rate and acceleration.
 fn emit_input_after(site: &Site<'_>) -> Option<TokenStream> {
     let (outline, scalar) = (site.outline, &site.shapes.scalar);
     let kind = scalar.kind();

@@ -11,7 +11,7 @@ use super::docs::{Documentation, declared_doc, params_rows};
 use super::open::{open_drives, open_reactions};
 use super::record::{Field, Record, snake_case};
 
-/// One field for each declared quantity.
+/// The fields of a struct: one for each declared quantity.
 fn declared_fields(outline: &Outline, declared: &[Declared]) -> Vec<Field> {
     let shapes = Shapes::of(outline);
     let fields = declared.iter().map(|declared| Field {
@@ -79,8 +79,8 @@ pub fn emit_items(
     }
 }
 
-/// The state of a system and its acceleration, joint by joint; also of a body with user-defined
-/// states.
+/// The state of a system and its acceleration, joint by joint. A body with user-defined states has
+/// them, too.
 fn emit_state(outline: &Outline) -> Option<TokenStream> {
     if !outline.has_parts() {
         return None;
@@ -153,7 +153,7 @@ fn docs_of_part(outline: &Outline, name: &Ident) -> [String; 2] {
     [declared_doc(state), format!(" The rate of `{name}`{unit}.")]
 }
 
-/// A body that is built from parameters; `beside` are the structs beside them.
+/// The struct of a body that is built from parameters; `beside` are the structs next to it.
 fn emit_built(
     outline: &Outline,
     constructor: &Constructor,
@@ -215,8 +215,8 @@ fn emit_built(
     }
 }
 
-/// The fields that a body stores depend on each other. If there are any, its items are in a module
-/// of their own, so that no code next to the call can change one of them. `added` are structs of
+/// Since the fields that a body stores depend on each other, the items of a body with fields are in
+/// their own module: no code next to the call can change a single field. `added` are structs of
 /// outputs.
 pub fn with_private_fields(outline: &Outline, items: TokenStream, added: &[Ident]) -> TokenStream {
     if !outline.is_built() {
@@ -241,7 +241,7 @@ pub fn with_private_fields(outline: &Outline, items: TokenStream, added: &[Ident
     }
 }
 
-/// Defaults of the parameters, and of a body that is known to be possible with them.
+/// The default parameters, and the default body if it is known to be possible with them.
 fn emit_default(outline: &Outline) -> Option<TokenStream> {
     if outline.params.is_empty() || !outline.has_default_params() {
         return None;
@@ -278,7 +278,7 @@ fn emit_default(outline: &Outline) -> Option<TokenStream> {
     })
 }
 
-/// The names that nothing refers to, which get the compiler's own warning.
+/// Names that nothing refers to, written so that the compiler warns about them.
 pub fn emit_unused(outline: &Outline) -> Option<TokenStream> {
     let names = outline.unused.iter();
     let names = names.map(|name| Ident::new(&local_name(&name.to_string()), name.span()));

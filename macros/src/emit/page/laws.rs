@@ -1,4 +1,4 @@
-//! Balances as laws.
+//! The balances, written as laws.
 
 use crate::mechanics::{Law, Left, Part, Term};
 use crate::symbolic::Number;
@@ -32,7 +32,7 @@ pub fn laws_in_text(laws: &[Law]) -> Vec<String> {
     lines.collect()
 }
 
-/// The left side, and the value of its mass or inertia.
+/// The left side as text, and the value of its mass or inertia.
 fn left_in_text(left: &Left) -> (&'static str, String) {
     let one = |letter: char, number: &Option<Number>, unit: &str| {
         let value = number.as_ref().map(|number| rounded(number.to_f64()));
@@ -66,7 +66,7 @@ fn tensor_in_text(entries: &[[Option<Number>; 3]; 3]) -> String {
     format!(", J = [{x}, {xy}, {zx}; {xy}, {y}, {yz}; {zx}, {yz}, {z}] kg m²")
 }
 
-/// The laws in `MathML`: each with its unit and its reason, and what the letters stand for.
+/// The laws in `MathML`, each with its unit and its reason, followed by what the letters mean.
 pub fn laws_on_page(laws: &[Law]) -> Option<String> {
     let all = laws.iter().flat_map(|law| {
         let right: Vec<String> = law.right.iter().enumerate().map(term).collect();
@@ -121,7 +121,7 @@ fn term((place, term): (usize, &Term)) -> String {
     format!("{sign}{load}")
 }
 
-/// The left side, and its mass or inertia if it is constant.
+/// The left side in `MathML`, and its mass or inertia if that is constant.
 fn left(left: &Left) -> (String, Option<(&'static str, String)>) {
     let [m, a, j, n, u, w, angle] = ["m", "a", "J", "n", "u", "ω", "φ"].map(name);
     let cross = operator("×");
@@ -164,7 +164,7 @@ fn one(value: &Number, unit: &str) -> String {
     format!("{}<mtext>&#160;{unit}</mtext>", number(value))
 }
 
-/// A constant tensor.
+/// A tensor in `MathML`, if it is constant.
 fn tensor(entries: &[[Option<Number>; 3]; 3]) -> Option<String> {
     let mut rows = String::new();
     for row in entries {

@@ -2,7 +2,7 @@
 
 use crate::symbolic::Number;
 
-/// Digits of numbers on a page; the exact ones are in the title.
+/// The digits that numbers have on a page. The exact number is in the title.
 const DIGITS: usize = 5;
 
 /// A number with few digits.
@@ -10,7 +10,7 @@ pub fn number(number: &Number) -> String {
     value(number.to_f64())
 }
 
-/// A double with few digits, and the exact ones as a title.
+/// A double with few digits. The exact one is in its title.
 pub fn value(value: f64) -> String {
     let (exact, short) = (plain(value), rounded(value));
     if exact == short {
@@ -33,7 +33,7 @@ fn plain(value: f64) -> String {
     }
 }
 
-/// A name; an axis or a number behind its last underscore is an index.
+/// A name. An axis or a number after its last underscore is an index.
 pub fn name(name: &str) -> String {
     let is_index = |end: &str| {
         let is_number = end.chars().all(|letter| letter.is_ascii_digit());
@@ -64,11 +64,11 @@ pub fn operator(sign: &str) -> String {
 /// A row of a table.
 pub enum Row {
     Cells(Vec<String>),
-    /// A text above the rows that it is about.
+    /// A text above the rows that it refers to.
     Note(String),
 }
 
-/// A block of its own, with aligned cells.
+/// A table in a block of its own, with aligned cells.
 pub fn table(rows: impl IntoIterator<Item = Row>) -> String {
     let rows = rows.into_iter().map(|row| {
         let cells = match row {

@@ -1,5 +1,5 @@
-//! What rustdoc shows of the equations: the balances as laws, and the statements behind them.
-//! In an editor's hover the laws are plain text.
+//! What rustdoc shows of the equations: the balances as laws, and the statements that compute them.
+//! In an editor's hover text, the laws are plain text.
 
 mod laws;
 mod markup;

@@ -1,11 +1,11 @@
-//! Statements as equations.
+//! Statements, written as equations.
 
 use super::markup::{Row, name, operator, table, value};
 
-/// Beyond this many, the statements are given as text alone.
+/// If there are more statements than this, they are shown only as text.
 const MOST: usize = 60;
 
-/// The statements as aligned equations, with the reasons above them, if there are not too many.
+/// The statements as aligned equations with the reasons above them, unless there are too many.
 pub fn statements_on_page(text: &[String]) -> Option<String> {
     if text.is_empty() || text.len() > MOST {
         return None;
@@ -21,7 +21,7 @@ pub fn statements_on_page(text: &[String]) -> Option<String> {
     rows.collect::<Option<Vec<_>>>().map(table)
 }
 
-/// A note in the symbols of the field.
+/// A note, with the field's usual symbols.
 fn in_symbols(note: &str) -> String {
     note.replace(" x ", " × ").replace("^-1", "⁻¹")
 }
@@ -32,7 +32,7 @@ fn escaped(text: &str) -> String {
         .replace('>', "&gt;")
 }
 
-/// An expression of generated code.
+/// An expression of generated code, in `MathML`.
 fn expression(text: &str) -> String {
     let mut markup = String::new();
     let mut rest = text;
@@ -61,7 +61,7 @@ fn expression(text: &str) -> String {
     markup
 }
 
-/// The length of a number in front, with its exponent.
+/// The length of the number, including its exponent, that a text begins with.
 fn number_length(text: &str) -> usize {
     let mut before = ' ';
     let end = text.find(|letter: char| {
@@ -72,7 +72,7 @@ fn number_length(text: &str) -> usize {
     end.unwrap_or(text.len())
 }
 
-/// The letter of the field for a component of the state.
+/// The letter that is usual in the field for a component of the state.
 fn letter(word: &str) -> &str {
     match word {
         "wx" => "ω_x",

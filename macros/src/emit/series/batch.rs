@@ -1,4 +1,4 @@
-//! Sums of products laid out in registers: each sum in a lane, its products one after another.
+//! Sums of products, laid out in registers: each sum in one lane, its products one after another.
 
 use std::iter::{once, repeat_n};
 
@@ -7,18 +7,18 @@ use quote::quote;
 
 use crate::symbolic::{Id, LANES, Sum, Term};
 
-/// Half the order of a series: the average number of products of coefficients in a term.
+/// The average number of products of coefficients in a term: half the order of a series.
 const PRODUCTS: usize = 8;
-/// The limit of products in one call: their sums stay in registers.
+/// The most products in one call. Up to this number, their sums stay in registers.
 const MOST: usize = 40;
 
 /// Sums of one level that are computed together.
 pub struct Batch<'r> {
     pub level: usize,
     pub first: usize,
-    /// Including those that pad the last register.
+    /// The number of lanes, including those that pad the last register.
     pub lanes: usize,
-    /// Products in a lane.
+    /// The number of products in each lane.
     pub count: usize,
     pub parts: Vec<Part<'r>>,
 }
@@ -30,7 +30,7 @@ pub struct Part<'r> {
     linear: &'r [(Id, Id)],
 }
 
-/// The sums in batches, by level.
+/// The sums, combined into batches, level by level.
 pub fn batches(sums: &[Sum]) -> Vec<Batch<'_>> {
     let mut batches: Vec<Batch<'_>> = Vec::new();
     for sums in sums.chunk_by(|a, b| a.level == b.level) {
@@ -41,7 +41,7 @@ pub fn batches(sums: &[Sum]) -> Vec<Batch<'_>> {
             let lanes = filled(parts.len());
             batches.push(Batch {
                 level: sums[0].level,
-                // aligned registers are read fastest
+                // aligned registers are fastest to read
                 first: if lanes < 4 {
                     end
                 } else {
@@ -56,7 +56,7 @@ pub fn batches(sums: &[Sum]) -> Vec<Batch<'_>> {
     batches
 }
 
-/// Splits sums into calls; the parts of one sum are never in two calls.
+/// Splits sums into groups, one for each call. The parts of a sum are always in the same call.
 fn calls(sums: &[Sum], count: usize) -> impl Iterator<Item = &[Sum]> {
     let lanes = move |sum: &Sum| sum.terms.len().div_ceil(count).max(1);
     let mut taken = 0;
@@ -70,8 +70,8 @@ fn calls(sums: &[Sum], count: usize) -> impl Iterator<Item = &[Sum]> {
     })
 }
 
-/// The number of products per lane with the least cost (products in registers, and sums of parts);
-/// in a tie the largest.
+/// The number of products per lane with the least cost (of products in registers, and of sums of
+/// parts). In a tie, the largest such number.
 fn best_count(sums: &[Sum]) -> usize {
     let most = sums.iter().map(|sum| sum.terms.len()).max().unwrap_or(1);
     let cost = |count: &usize| {
@@ -98,7 +98,8 @@ fn parts(sums: &[Sum], count: usize) -> impl Iterator<Item = Part<'_>> {
     })
 }
 
-/// Up to two lanes stay as they are; more are padded to registers of four.
+/// The number of lanes with padding: up to two lanes need none, and more are padded to registers of
+/// four.
 pub fn filled(lanes: usize) -> usize {
     match lanes {
         1 | 2 => lanes,
@@ -112,7 +113,7 @@ impl Batch<'_> {
         self.first + self.lanes * self.count
     }
 
-    /// `0, 8, 3`: the first place, the lanes and the products in each.
+    /// `0, 8, 3`: the first place, the number of lanes, and the number of products in each.
     pub fn sizes(&self) -> TokenStream {
         let [first, lanes, count] =
             [self.first, self.lanes, self.count].map(Literal::usize_unsuffixed);
@@ -125,8 +126,8 @@ impl Batch<'_> {
         self.filled(rows, self.count, fill)
     }
 
-    /// `[[(weight, coefficient), ..], ..]`, lane by lane, of the terms added to the products, if
-    /// there are any.
+    /// `[[(weight, coefficient), ..], ..]`, lane by lane: the terms that are added to the products,
+    /// if there are any.
     pub fn linear(&self, term: impl Fn(&(Id, Id)) -> TokenStream) -> Option<TokenStream> {
         let most = self.parts.iter().map(|part| part.linear.len()).max()?;
         let rows = self.parts.iter().map(|part| part.linear.iter().map(&term));
@@ -149,7 +150,8 @@ impl Batch<'_> {
         quote!([#(#rows),*])
     }
 
-    /// The products and their places: first the first products of all lanes, and so on.
+    /// The products and their places: the first product of each lane, then the second product of
+    /// each lane, and so on.
     pub fn places(&self) -> impl Iterator<Item = (usize, &Term)> {
         let lanes = (self.first..).zip(&self.parts);
         lanes.flat_map(|(lane, part)| {

@@ -1,42 +1,45 @@
-//! Series or Runge–Kutta steps: whichever takes less time, by counted operations.
+//! The choice between series and Runge–Kutta steps: whichever takes less time, by counts of
+//! operations.
 
 use crate::symbolic::Cost;
 
-/// The coefficients of a series at the default tolerance, and the stages of the pair there.
+/// The number of coefficients of a series at the default tolerance, and of stages of the
+/// Runge–Kutta pair used at that tolerance.
 const COEFFICIENTS: f64 = 17.0;
 const STAGES: f64 = 16.0;
-/// The operations of a stage beside the equations.
+/// The operations of a stage other than those of the equations.
 const STAGE: f64 = 28.0;
-/// A sine or another such function takes as long as this many operations.
+/// A sine or a similar function takes as long as this many operations.
 const FUNCTION: f64 = 20.0;
-/// A level of convolutions waits for the one before it; the convolution of a root is computed
-/// apart.
+/// The weights of a level of convolutions, which waits for the level before it, and of the
+/// convolution of a root, which is computed separately.
 const LEVEL: f64 = 20.0;
 const ROOT: f64 = 40.0;
 
 /// What a step along a series computes.
 pub struct Counts {
-    /// Convolutions, including those that pad registers.
+    /// The number of convolutions, including those that pad registers.
     pub width: usize,
-    /// Levels of convolutions beyond the first.
+    /// The number of levels of convolutions beyond the first.
     pub levels: usize,
     pub coordinates: usize,
-    /// The operations of each order besides convolutions.
+    /// The operations of each order other than convolutions.
     pub each_order: Cost,
-    /// The rates of the coordinates.
+    /// The operations for the rates of the coordinates.
     pub rates: Cost,
 }
 
 impl Counts {
     /// Whether a step along a series takes more than 1.4 times as long as one of Verner's pair. At
-    /// 1e-9 the steps of both cover about the same time in most nonlinear motions; in nearly linear
-    /// ones the step along the series covers more than twice as much.
+    /// a tolerance of 1e-9, the steps of both cover about the same time in most nonlinear motions;
+    /// in nearly linear ones, a step along the series covers more than twice as much.
     ///
-    /// The weights are fitted to times of steps of 17 bodies and systems (`docs/performance.md`).
-    /// They choose between two methods with the same tolerance, so a bad choice costs time alone.
+    /// The weights are fitted to the times of steps of 17 bodies and systems
+    /// (`docs/performance.md`). They choose between two methods with the same tolerance, so a bad
+    /// choice costs only time.
     pub fn are_slow(&self) -> bool {
         let count = |number: usize| u32::try_from(number).map_or(f64::INFINITY, f64::from);
-        // registers hold four numbers, and a sum has half the coefficients on the average
+        // registers hold four numbers, and on average a sum has half the coefficients
         let convolutions = count(self.width) * COEFFICIENTS / 8.0;
         let coefficient = convolutions
             + 2.0 * count(self.coordinates)

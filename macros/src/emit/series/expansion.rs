@@ -1,4 +1,5 @@
-//! The recurrences of Taylor series as a method: initial values, and a loop over the orders.
+//! The recurrences of Taylor series as a method: initial values, followed by a loop over the
+//! orders.
 //!
 //! ```text
 //! products.start::<0, 8, 3>([[(0.5, qy, wz), (-0.5, qz, wy), (0.5, qw, wx)], ..]);
@@ -29,10 +30,10 @@ use super::batch::{Batch, batches, filled};
 use super::choice::Counts;
 use super::names::{name_coefficients, name_results, name_sums};
 
-/// Names in the method beyond those of all functions.
+/// The names in the method that are taken in addition to those that all functions have.
 const TAKEN: [&str; 5] = ["n", "products", "series", "rates", "sums"];
 
-/// The method that expands a motion.
+/// The method that expands a motion into a series.
 pub struct Expansion {
     pub method: Method,
     /// The number of products of series, including those that pad registers.
@@ -82,7 +83,7 @@ impl Expansion {
             each_order: graph.late_cost(&of_each_order(recurrences)),
             rates: graph.late_cost(&recurrences.start),
         };
-        // in axes that do not spin, steps along series are much longer
+        // in axes that do not spin, steps along the series are much longer
         let is_slow = taylor.axes.is_none() && counts.are_slow();
         Self {
             method,
@@ -118,7 +119,7 @@ fn of_order(recurrences: &Recurrences) -> BTreeSet<Id> {
         .collect()
 }
 
-/// All expressions that are computed for each order.
+/// All expressions that are computed for every order.
 fn of_each_order(recurrences: &Recurrences) -> Vec<Id> {
     let factors = terms(recurrences).flat_map(|term| term.factors);
     let factors = factors.map(|factor| factor.next);
@@ -127,7 +128,7 @@ fn of_each_order(recurrences: &Recurrences) -> Vec<Id> {
     rates.chain(factors).chain(linear).collect()
 }
 
-/// The terms added to the sums of products: weights and coefficients.
+/// The terms that are added to the sums of products: weights and coefficients.
 fn linear(recurrences: &Recurrences) -> impl Iterator<Item = &(Id, Id)> {
     recurrences.sums.iter().flat_map(|sum| &sum.linear)
 }
@@ -136,7 +137,7 @@ fn terms(recurrences: &Recurrences) -> impl Iterator<Item = &Term> {
     recurrences.sums.iter().flat_map(|sum| &sum.terms)
 }
 
-/// The expressions computed once at the start of the step, and read by every order.
+/// The expressions that are computed once, at the start of the step, and that every order reads.
 fn held(graph: &Graph, recurrences: &Recurrences) -> BTreeSet<Id> {
     let roots = of_each_order(recurrences);
     let mut moves = of_order(recurrences);
@@ -213,7 +214,7 @@ fn start(
     tokens
 }
 
-/// The rates of the coordinates, and the padding of the last register.
+/// The rates of the coordinates, with padding up to a whole register.
 fn coordinates(block: &Block<'_>, rates: &[Id]) -> Vec<TokenStream> {
     let rest = filled(rates.len()) - rates.len();
     rates
@@ -264,7 +265,7 @@ fn orders(block: &mut Block<'_>, taylor: &Taylor, batches: &[Batch<'_>]) -> Toke
     }
 }
 
-/// The sums of a batch, and the expressions computed before them.
+/// The sums of a batch, and the expressions that must be computed before them.
 fn sums_of_order(
     block: &Block<'_>,
     batch: &Batch<'_>,
@@ -307,7 +308,7 @@ fn is_of_rates(batch: &Batch<'_>, recurrences: &Recurrences) -> bool {
     sums.eq(rates.iter().copied()) && !nexts.any(|next| rates.contains(&next))
 }
 
-/// n, its reciprocal, and the coefficients of `.moving` inputs, if they are read.
+/// Reads n, its reciprocal, and the coefficients of `.moving` inputs, if they are used.
 fn read_order(block: &mut Block<'_>, recurrences: &Recurrences, program: &Program) -> TokenStream {
     let private = block.writer.shapes.private.clone();
     let n = local("n");
@@ -334,7 +335,7 @@ fn read_order(block: &mut Block<'_>, recurrences: &Recurrences, program: &Progra
     tokens
 }
 
-/// The factors that were unknown, and multiplied as zero.
+/// Fills in the factors that were unknown, and were multiplied as zero.
 fn complete(
     block: &Block<'_>,
     batches: &[Batch<'_>],
@@ -360,7 +361,7 @@ fn complete(
     is_there.then(|| quote!(#products.complete(#n, &[#(#left),*], &[#(#right),*]);))
 }
 
-/// The number of levels of convolutions before each expression of an order; none are left out.
+/// The number of levels of convolutions that precede each expression of an order.
 fn levels(graph: &Graph, recurrences: &Recurrences, program: &Program) -> HashMap<Id, usize> {
     let mut levels: HashMap<Id, usize> = recurrences
         .sums

@@ -1,4 +1,4 @@
-//! The recurrences of Taylor series as code: a loop over the orders, its sums in registers.
+//! The recurrences of Taylor series as code: a loop over the orders, with its sums in registers.
 
 mod batch;
 mod choice;

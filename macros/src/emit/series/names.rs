@@ -1,4 +1,4 @@
-//! Names of coefficients and their sums.
+//! The names of coefficients and of their sums.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
@@ -9,7 +9,7 @@ use crate::symbolic::{Id, Node, Origin, Program, Recurrences, Sum};
 
 use super::batch::{Batch, filled};
 
-/// Names the n-th coefficients of quotients and functions after these.
+/// Names the n-th coefficients of quotients and functions after these quotients and functions.
 pub fn name_results(block: &mut Block<'_>, recurrences: &Recurrences) -> Fields {
     let graph = &block.writer.work.graph;
     let results = recurrences.results.iter();
@@ -18,7 +18,7 @@ pub fn name_results(block: &mut Block<'_>, recurrences: &Recurrences) -> Fields 
     Fields(named.collect())
 }
 
-/// A name after that of an expression at the start, or after its kind.
+/// A name made from the name of an expression at the start, or from its kind.
 fn name_after(block: &mut Block<'_>, id: Id, suffix: &str) -> Ident {
     let known = block.names.get(&id).map(ToString::to_string);
     let base = known.unwrap_or_else(|| block.describe(id));
@@ -51,7 +51,7 @@ pub fn name_coefficients(block: &mut Block<'_>, taylor: &Taylor, program: &Progr
     }
 }
 
-/// The names of the results of a batch, and the sums of those that are in parts.
+/// The names of the results of a batch, and the sums of those that are split into parts.
 pub fn name_sums(
     block: &mut Block<'_>,
     taylor: &Taylor,
@@ -75,7 +75,7 @@ pub fn name_sums(
     (quote!(#(#names,)* #rest), gathered)
 }
 
-/// A sum is named after the coordinate whose rate it is, or after its purpose.
+/// The name of a sum: after the coordinate whose rate it is, or after its purpose.
 fn name_sum(block: &mut Block<'_>, taylor: &Taylor, sum: &Sum) -> Ident {
     let Recurrences { rates, results, .. } = &taylor.recurrences;
     let graph = &block.writer.work.graph;

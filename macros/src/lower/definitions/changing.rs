@@ -4,11 +4,11 @@ use crate::errors::Errors;
 use crate::model::{Meaning, Outline, Workspace};
 use crate::symbolic::Id;
 
-/// Outputs that are functions of a state alone.
+/// Outputs that are functions of the state alone, not of time.
 const OF_STATE: [&str; 2] = ["energy", "momentum"];
 
-/// Reports outputs that depend on fewer variables than the masses and inertias of all bodies: time
-/// is missing in functions of a state, and any change in functions of the body.
+/// Reports outputs that cannot follow the masses and inertias: functions of the state if these
+/// depend on time, and the regressor if they change at all.
 pub fn check_changing(work: &Workspace, known: &[Id], outline: &Outline, errors: &mut Errors) {
     let graph = &work.graph;
     let asked = |word: &&'static str| Some((*word, outline.place(word)?));

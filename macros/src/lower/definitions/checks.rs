@@ -1,4 +1,4 @@
-//! Checks: claims, and their states.
+//! Checks: claims, and the states for which they are made.
 
 use crate::errors::Extent;
 use crate::families::LoadKind;
@@ -12,9 +12,9 @@ use super::names::check_distinct;
 /// A quantity that can be given a value.
 enum Target {
     Scalar(Id, Dimension),
-    /// Symbols along axes, none for other axes.
+    /// The symbols along the axes that exist; other axes have none.
     Vector(Frame, Components, Dimension),
-    /// The quaternion of a frame, its scalar first.
+    /// The quaternion of a frame, with its scalar part first.
     Attitude(Frame, [Id; 4]),
 }
 
@@ -22,7 +22,7 @@ const TURNED: &str =
     "an attitude is given by an axis and an angle: write `turned(world(0, 0, 1), 30[deg])`";
 
 impl Lowering<'_> {
-    /// All checks; quantities beyond the description get symbols.
+    /// All checks. Quantities that the description does not define get symbols.
     pub fn checks(&mut self, description: &Description) -> Option<Checks> {
         check_distinct(
             "check",
@@ -34,7 +34,7 @@ impl Lowering<'_> {
         }
         let answers = self.name_answers();
         let list = description.checks.iter().map(|check| self.check(check));
-        // reads all of them, so that each reports its errors
+        // collected before anything is returned, so that each check reports its errors
         let list: Vec<Option<Check>> = list.collect();
         Some(Checks {
             list: list.into_iter().collect::<Option<_>>()?,
@@ -98,7 +98,7 @@ impl Lowering<'_> {
 
     fn claim(&mut self, written: &syntax::Claim) -> Option<Claim> {
         let syntax::Claim { left, step, extent } = written;
-        // it must be valid as a condition
+        // it must be valid as a condition, too
         self.chain(left, core::slice::from_ref(step))?;
         let sides = [self.value(left)?, self.value(&step.operand)?];
         let [Value::Scalar(a, _), Value::Scalar(b, _)] = sides else {
@@ -120,7 +120,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// The symbols of given quantities, and their values.
+    /// The symbols of a given quantity, and their values.
     fn given(&mut self, written: &syntax::Given) -> Option<Vec<(Id, Id, Extent)>> {
         let (target, value) = (self.target(&written.target)?, &written.value);
         let (place, what) = (written.target.extent, "what is given");
@@ -164,7 +164,7 @@ impl Lowering<'_> {
         let vector = self.vector(axis, Dimension::ANY, "an axis");
         let angle = self.scalar(angle, Dimension::NONE, "an angle");
         let (vector, angle) = (vector?, angle?);
-        // the axis is the same in both frames
+        // the axis of a rotation has the same components in both frames
         let axes = [frame, self.work.carrier(frame)];
         let components = match *self.work.parts(vector) {
             [(from, components)] if axes.contains(&from) => components,
@@ -214,7 +214,7 @@ impl Lowering<'_> {
         found
     }
 
-    /// Quantities that follow from the motion cannot be given.
+    /// Whether a quantity follows from the motion; such a quantity cannot be given.
     fn is_answer(&self, target: &Target) -> bool {
         let follows = |id: &Id| match self.work.meaning(*id) {
             Some(Meaning::Of(_, variable, _)) => variable.is_acceleration(),
@@ -228,7 +228,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Angle, attitude and angular velocity, by their names in a state.
+    /// The angle, the attitude or the angular velocity, by its name in a state.
     fn turning_target(&mut self, written: &Expression) -> Option<Target> {
         let frame = match &written.kind {
             Kind::Name(name) if !self.is_whole => {

@@ -6,7 +6,7 @@ use crate::model::{Dimension, ForeignConstant, ForeignFunction, Meaning, is_soli
 use crate::symbolic::{Foreign, Function, Number, Stage};
 use crate::syntax::{self, Description, UnitExpression};
 
-/// Functions of the language, and words that look like one.
+/// Functions of the language, and words that are called like functions.
 const CALLED: [&str; 5] = ["table", "moment", "principal", "compose", "point"];
 
 impl Lowering<'_> {
@@ -68,8 +68,8 @@ impl Lowering<'_> {
         Some(Value::Function(number))
     }
 
-    /// The factor of this unit to SI units, and its dimension; without a unit it is a plain number,
-    /// which fits any dimension.
+    /// The factor that converts this unit to SI units, and its dimension. Without a unit, the value
+    /// is a plain number, which fits any dimension.
     fn factor(&mut self, unit: Option<&UnitExpression>) -> Option<(Number, Dimension)> {
         match unit {
             Some(unit) => lower_unit(unit, self.errors),

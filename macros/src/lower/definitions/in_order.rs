@@ -22,7 +22,8 @@ impl Lowering<'_> {
         }
         let mut is_lost = false;
         for (index, input) in outline::distinct(&description.inputs).enumerate() {
-            // an error in a declaration is reported once
+            // the rates of an input are declared with it: an error in the declaration is reported
+            // once
             let value = if input.order > 0 && is_lost {
                 None
             } else {
@@ -43,7 +44,7 @@ impl Lowering<'_> {
         let (order, circular) = definition_order(description, self.errors);
         let mut mass = match description.mass {
             Some(_) => Mass::Reported,
-            // its absence is reported
+            // a missing mass is reported elsewhere
             None if self.motion.knows_position() => Mass::Reported,
             None => Mass::Absent,
         };
@@ -81,7 +82,8 @@ impl Lowering<'_> {
         mass
     }
 
-    /// Reads the direction of a rod and the definitions that it needs; returns the others.
+    /// Reads the direction of a rod and the definitions that it needs. Returns the other
+    /// definitions.
     fn definitions_at_axis(
         &mut self,
         description: &Description,
@@ -123,8 +125,8 @@ impl Lowering<'_> {
         self.scope.define(&name, value);
     }
 
-    /// Reads definitions before the motion of the body is known; returns those that depend on it,
-    /// which have no value yet.
+    /// Reads definitions before the motion of the body is known. Returns those that depend on the
+    /// motion; they have no value yet.
     pub fn fixed_definitions(
         &mut self,
         definitions: &[Definition],
@@ -151,7 +153,8 @@ impl Lowering<'_> {
             }
             let is_late = *definition != Definition::Mass && self.is_late(&name);
             if follows.is_some() || self.work.met_still || is_late {
-                // the error differs for a body at rest and for one that moves
+                // errors for a body at rest may differ from those for a moving body, so they are
+                // withdrawn
                 self.errors.take_back(reported);
                 self.scope.forget(&name);
                 late.push(*definition);
@@ -160,11 +163,11 @@ impl Lowering<'_> {
         late
     }
 
-    /// Whether the value of a name depends on the state.
+    /// Whether the value of a name depends on the motion.
     fn is_late(&self, name: &str) -> bool {
         let graph = &self.work.graph;
         match self.scope.peek(name) {
-            // functions of time and user-defined states are known before the motion
+            // time and user-defined states are known before the motion is
             Some(Value::Scalar(id, _)) => self.work.follows_motion(&[id]),
             Some(Value::Condition(id)) => !graph.is_early(id),
             Some(Value::Components(_, components, _)) => !graph.are_early(&components),
@@ -185,8 +188,8 @@ impl Lowering<'_> {
         Some(self.named(value, &name))
     }
 
-    /// Reads again the definitions that the parts refer to, now that G is known, and those that
-    /// the direction of a rod refers to, now that the axis is known.
+    /// Reads some definitions a second time: those that the parts refer to, once G is known; and
+    /// those that the direction of a rod refers to, once the axis is known.
     pub fn read_again(&mut self, definition: Definition, description: &Description) {
         let (name, _) = definition.of(description);
         if self.scope.peek(&name).is_some() {
@@ -195,7 +198,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// The total mass of the parts; with it, G becomes known.
+    /// The total mass of the parts. With it, G becomes known.
     fn mass_of_parts(&mut self, parts: &Composition, defaults: &Defaults) -> Option<Id> {
         self.composed = self.compose(parts, defaults);
         if self.composed.is_none() {
@@ -204,7 +207,7 @@ impl Lowering<'_> {
         self.composed.map(|composed| composed.mass)
     }
 
-    /// A local becomes a statement of the code, under its own name.
+    /// Makes a local a statement of the code, under its own name.
     pub fn named(&mut self, value: Value, name: &str) -> Value {
         let Workspace { graph, labels, .. } = &mut *self.work;
         match value {
@@ -255,7 +258,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// A body that moves has one mass.
+    /// Checks that a body that moves has a mass, and only one.
     pub fn check_mass_key(&mut self, description: &Description, motion_is_known: bool) {
         if description.composition.is_some() {
             if let Some(key) = description.keys.iter().find(|key| *key == "mass") {

@@ -9,8 +9,7 @@ use crate::lower::expressions::{BUILT_IN, OF_ROD, Scope, written_motion};
 use crate::model::Joint;
 use crate::syntax::Description;
 
-/// Reports names that are defined twice, or that are built in. Loads have a separate namespace.
-/// Returns these names.
+/// Reports and returns names that are defined twice or built in. Loads have a separate namespace.
 pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<String> {
     let mut repeated = HashSet::new();
     let mut seen = HashMap::new();
@@ -87,7 +86,7 @@ pub fn check_distinct<'n>(what: &str, names: impl Iterator<Item = &'n Ident>, er
     }
 }
 
-/// The names that nothing refers to; an input includes its rates.
+/// The names that nothing refers to. An input counts together with its rates.
 pub fn unused(description: &Description, scope: &Scope) -> Vec<Ident> {
     let inputs = description.inputs.iter().filter(|input| input.order == 0);
     let declared = description.params.iter().chain(inputs);

@@ -15,17 +15,17 @@ pub enum Definition {
     Local(usize),
 }
 
-/// The limit of members of a cycle in a message.
+/// The most members of a cycle that a message shows.
 const SHOWN: usize = 6;
 
 /// Definitions and their references to each other.
 struct References<'d> {
     definitions: Vec<(String, Definition)>,
-    /// For each definition, its dependencies, with the name that refers to each.
+    /// For each definition, those that it depends on, each with the name that refers to it.
     uses: Vec<Vec<(usize, &'d Ident)>>,
 }
 
-/// Points, locals and the mass in the order in which they can be read, and those that cannot be
+/// The points, locals and the mass in an order in which they can be read, and those that cannot be
 /// read because they depend on a cycle. Each cycle is reported once.
 pub fn definition_order(
     description: &Description,
@@ -72,7 +72,7 @@ impl Definition {
     }
 }
 
-/// Splits an order of definitions into those that the support needs, and the others, which can
+/// Splits an order of definitions into those that the support needs, and the others, which may
 /// depend on the motion that the support allows.
 pub fn split_at_support(
     description: &Description,
@@ -80,15 +80,15 @@ pub fn split_at_support(
 ) -> (Vec<Definition>, Vec<Definition>) {
     let mut needed = names_in_motion(description);
     if let Some(composition) = &description.composition {
-        // no offset from G is known before the parts are
+        // offsets from G are known only after the parts are
         needed.insert("mass".to_owned());
         needed.extend(composition.expressions().flat_map(names));
     }
     split(description, order, needed)
 }
 
-/// Splits an order of definitions into those that all points and the mass need, and the others,
-/// which can depend on the motion of a system.
+/// Splits an order of definitions into those that any point or the mass needs, and the others,
+/// which may depend on the motion of a system.
 pub fn split_at_points(
     description: &Description,
     order: &[Definition],
@@ -116,14 +116,14 @@ fn names(value: &Expression) -> Vec<String> {
     value.names().into_iter().map(ToString::to_string).collect()
 }
 
-/// The names after the word of the motion.
+/// The names in the arguments of `motion`.
 fn names_in_motion(description: &Description) -> HashSet<String> {
     let support = description.motion.iter().flat_map(|motion| &motion.support);
     let written = support.flat_map(|support| support.arguments.iter().chain(&support.anchor));
     written.flatten().flat_map(names).collect()
 }
 
-/// Splits off the needed definitions and their dependencies.
+/// Splits off the needed definitions and everything that they depend on.
 fn split(
     description: &Description,
     order: &[Definition],
@@ -144,7 +144,7 @@ impl<'d> References<'d> {
     fn find(description: &'d Description) -> Self {
         let mut definitions = Vec::new();
         let mut values: Vec<Vec<&Expression>> = Vec::new();
-        // known only when the parts are composed
+        // `mass` and `G` are known only once the parts are composed
         let mut composed = HashMap::new();
         if let Some(composition) = &description.composition {
             composed.extend(["mass", "G"].map(|name| (name.to_owned(), definitions.len())));
@@ -162,7 +162,7 @@ impl<'d> References<'d> {
             definitions.push((local.name.to_string(), Definition::Local(index)));
             values.push(local.value.iter().collect());
         }
-        // of two definitions of one name, the first counts
+        // if two definitions have the same name, the first one counts
         let index: HashMap<String, usize> = definitions
             .iter()
             .enumerate()
@@ -209,8 +209,7 @@ impl<'d> References<'d> {
     fn circle(&self, left: &BTreeSet<usize>) -> Option<Vec<(usize, &'d Ident)>> {
         let mut finished: BTreeSet<usize> = BTreeSet::new();
         for &start in left {
-            // the path from `start`: each member, and the number of its references that were
-            // followed
+            // the path from `start`: each member, and how many of its references were followed
             let mut way: Vec<(usize, usize)> = vec![(start, 0)];
             let mut on_way: BTreeSet<usize> = BTreeSet::from([start]);
             while let Some((current, followed)) = way.last_mut() {

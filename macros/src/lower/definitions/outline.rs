@@ -1,5 +1,5 @@
-//! The outline of a body, which determines its types and signatures. It exists for every
-//! description, however broken, so that the rest of a user's crate still compiles.
+//! The outline of a body, which determines its types and signatures. Every description has one,
+//! however broken, so that the rest of a user's crate still compiles.
 
 use std::collections::HashSet;
 
@@ -14,20 +14,20 @@ use crate::model::{Asked, Declared, Dimension, Joint, MOTIONS, Motion, Outline, 
 use crate::symbolic::Number;
 use crate::syntax::{self, Declaration, Description, Expression, Kind, ROD, SUPPORTS};
 
-/// Outputs of later versions.
+/// Outputs that later versions may have.
 const LATER: [&str; 2] = ["mass_matrix", "jacobian"];
 
-/// The output that solves for drives: without it, no drive may be unknown.
+/// The output that solves for drives. Without it, no drive may be unknown.
 pub const INVERSE: &str = "inverse";
 
-/// The output that needs differentiated equations.
+/// The output that needs derivatives of the equations.
 pub const LINEARIZATION: &str = "linearization";
 pub const FLOW: &str = "flow";
 
 /// An output that a description may request, beyond the accelerations.
 pub struct Offer {
     pub word: &'static str,
-    /// The reason why a description cannot request it, and what to write instead.
+    /// Why a description cannot request it, and what to write instead.
     pub obstacle: fn(&Description) -> Option<&'static str>,
     /// Whether `SKIPPED` lists it if it is not requested.
     pub is_missed: fn(&Outline) -> bool,
@@ -36,7 +36,7 @@ pub struct Offer {
 }
 
 impl Offer {
-    /// Available to every description, and not listed if it is not requested.
+    /// An output that every description may request, and that is not listed if it is not requested.
     pub const fn new(word: &'static str) -> Self {
         Self {
             word,
@@ -47,7 +47,7 @@ impl Offer {
     }
 }
 
-/// The outline of `description`; without a valid motion, the most likely one is assumed.
+/// The outline of `description`. Without a valid motion, the most likely motion is assumed.
 pub fn outline(
     description: &Description,
     offers: &[&'static Offer],
@@ -99,7 +99,7 @@ pub fn outline(
     }
 }
 
-/// A declaration, as far as it is known before anything is looked up.
+/// A declaration, as far as it is known before names are looked up.
 fn declared(declaration: &Declaration, description: &Description, motion: Motion) -> Declared {
     let frame = declaration.value.iter().flatten().find_map(written_frame);
     let has_default = declaration
@@ -121,7 +121,7 @@ fn declared(declaration: &Declaration, description: &Description, motion: Motion
     }
 }
 
-/// The declarations without duplicate names: a field occurs once in a struct.
+/// The declarations without repeated names, because a struct cannot have a field twice.
 pub fn distinct(declarations: &[Declaration]) -> impl Iterator<Item = &Declaration> {
     let mut seen = HashSet::new();
     declarations
@@ -168,7 +168,7 @@ fn check_motion(description: &Description, errors: &mut Errors) {
     let all = || words().collect::<Vec<_>>().join("`, `");
     let name = &description.name;
     let Some(syntax::Motion { word, support }) = &description.motion else {
-        // a key without a value is reported already
+        // a key without a value is already reported
         if !description.keys.iter().any(|key| key == "motion") {
             errors.push(
                 name.span(),
@@ -203,7 +203,7 @@ fn check_motion(description: &Description, errors: &mut Errors) {
     }
 }
 
-/// The loads with unknown components that are wanted, each name once.
+/// The `wanted` loads, each name once.
 fn by_name(description: &Description, wanted: fn(&syntax::Load) -> bool) -> Vec<(Ident, LoadKind)> {
     let mut seen = HashSet::new();
     let unknown = description.loads.iter().filter(|load| wanted(load));
@@ -213,7 +213,7 @@ fn by_name(description: &Description, wanted: fn(&syntax::Load) -> bool) -> Vec<
         .collect()
 }
 
-/// Whether the error of an entry that may have been meant as an unknown reaction is reported.
+/// Whether an error was reported for an entry that may be meant as an unknown reaction.
 fn is_reported(description: &Description) -> bool {
     let is_partly_open = |value: &Expression| {
         let mut found = false;

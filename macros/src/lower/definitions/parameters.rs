@@ -123,7 +123,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// The unit of a rate, or of an acceleration, from that of the moving quantity.
+    /// Differentiates the unit of a moving quantity, for its rate or its acceleration.
     fn differentiate(&mut self, written: &Declaration, declared: &mut Declared) -> Option<()> {
         for _ in 0..written.order {
             let Some(rate) = declared.dimension.over(Dimension::TIME) else {
@@ -139,8 +139,8 @@ impl Lowering<'_> {
         Some(())
     }
 
-    /// A vector in body axes that is given from outside may have any direction, which is impossible
-    /// for a rod; a system has no body axes.
+    /// Reports vectors in body axes that are given from outside. For a rod, the vector would have
+    /// to be along the axis; for a system, the body is missing.
     fn check_axes(&mut self, frame: Option<FrameWord>, value: &Expression) -> Option<()> {
         if frame == Some(FrameWord::Body)
             && self.is_whole
@@ -183,7 +183,7 @@ impl Lowering<'_> {
         Some(())
     }
 
-    /// The unit of a default, as written; a non-SI unit is not that of the field.
+    /// The unit of a default, as written. A unit that is not SI is not the unit of the field.
     fn unit_of_default(&mut self, value: &Expression) -> Option<Unit> {
         match &value.kind {
             Kind::Prefix(_, inner) => self.unit_of_default(inner),

@@ -10,7 +10,7 @@ use crate::syntax::{Declaration, Definition, Description};
 
 use super::outline::distinct;
 
-/// The field with the motion of a body, next to its user-defined states.
+/// The name of the field that holds the motion of a body, next to its user-defined states.
 const MOTION: &str = "motion";
 
 impl Lowering<'_> {
@@ -56,7 +56,7 @@ impl Lowering<'_> {
         }))
     }
 
-    /// The name and the rate, as written, of the state with this symbol.
+    /// The name of the state with this symbol, and its rate as written.
     pub fn state_of<'d>(
         &mut self,
         description: &'d Description,
@@ -79,20 +79,20 @@ impl Lowering<'_> {
         }
     }
 
-    /// The user-defined states that these values follow.
+    /// The user-defined states that these values depend on.
     pub fn own_states(&self, values: &[Id]) -> Vec<Id> {
         let symbols = self.late_symbols(values).into_iter();
         let is_own = |id: &Id| matches!(self.work.meaning(*id), Some(Meaning::Own(_)));
         symbols.filter(is_own).collect()
     }
 
-    /// Each state has a rate, and each rate belongs to a state.
+    /// Checks that each state has a rate, and that each rate belongs to a state.
     fn check_rates(&mut self, description: &Description) {
         let states: Vec<&Ident> = distinct(&description.states)
             .map(|state| &state.name)
             .collect();
         let words: Vec<String> = states.iter().map(ToString::to_string).collect();
-        // states that a rate may have been meant for
+        // states that a misspelt rate may belong to
         let mut meant = Vec::new();
         for rate in &description.rates {
             let (name, word) = (&rate.name, rate.name.to_string());
@@ -118,7 +118,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// The dimension of the time derivative of a state.
+    /// The value of a rate, which must have the dimension of the state divided by time.
     fn rate(&mut self, written: &Definition, dimension: Dimension) -> Option<Id> {
         let (name, value) = (&written.name, written.value.as_ref()?);
         if let Some(place) = self.mentioned_reaction(value) {

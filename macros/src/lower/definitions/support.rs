@@ -6,18 +6,18 @@ use crate::model::{Defaults, Dimension, Frame, Support};
 use crate::syntax::{self, Description, Expression, Kind};
 
 impl Lowering<'_> {
-    /// Reads the support that `motion` names, and holds the body by it.
+    /// Reads the support that `motion` names, and lets it hold the body.
     pub fn support(&mut self, description: &Description, defaults: &Defaults) -> Option<()> {
         let motion = description.motion.as_ref()?;
         let word = motion.word.to_string();
         let found = self.read_support(motion.support.as_ref()?, &word, defaults);
-        // the error is reported: the rest is read with another support
+        // the error is reported: some other support stands in, so that everything else is read
         let support = found.unwrap_or_else(|| self.any_support());
         self.state.hold(self.work, support);
         Some(())
     }
 
-    /// At the origin, about z.
+    /// A support at the origin, about z.
     fn any_support(&mut self) -> Support {
         let graph = &mut self.work.graph;
         let zeros = graph.zeros();
@@ -95,7 +95,8 @@ impl Lowering<'_> {
         })
     }
 
-    /// A direction has no dimension; a difference of points has that of both.
+    /// Reports a written unit. A direction has none, while a difference of points keeps the unit of
+    /// the points.
     fn check_no_unit(&mut self, written: &Expression) -> Option<()> {
         let found = self.value(written).and_then(dimension)?;
         let mut unit = None;
@@ -112,8 +113,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// A unit vector along `written`; at angle zero both axes agree. That of a rod is
-    /// written in the body.
+    /// A unit vector along `written`. At angle zero, body and world axes agree, so it does not
+    /// matter which are written. The direction of a rod is written in body axes.
     pub fn direction(
         &mut self,
         written: &Expression,

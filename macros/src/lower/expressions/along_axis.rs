@@ -1,9 +1,9 @@
-//! Rods: the attitude is the axis u alone, a unit vector in world axes.
+//! Rods: their attitude is only an axis u, a unit vector in world axes.
 //!
-//! The rotation of a rod about its axis is not known, so a vector v of the body is known only if it
-//! is along the direction e of the axis in the body: it is `(e . v) u`. It becomes this vector in
-//! world axes where it is read. Only the offsets of points stay in body axes, because the inertia
-//! is computed from them.
+//! The rotation of a rod about its axis is not known. So a vector v of the body is known only if it
+//! is along the axis, whose direction in the body is e: then it is `(e . v) u`. It becomes this
+//! vector in world axes where it is read. Only the offsets of points stay in body axes, because the
+//! inertia is computed from them.
 
 use crate::errors::Extent;
 use crate::model::{Attitude, Defaults, Point, Vector};
@@ -12,11 +12,11 @@ use crate::syntax::{Description, Support};
 
 use super::lowering::Lowering;
 
-/// The reason why a quantity is not known for a rod.
+/// Why a quantity of a rod is not known.
 pub const UNTURNED: &str = "the rotation of a rod about its axis is not known";
 
 impl Lowering<'_> {
-    /// Reads the direction of `rod(direction)`: from here on, vectors of the body are along it.
+    /// Reads the direction of `rod(direction)`. From here on, vectors of the body must be along it.
     pub fn axis(&mut self, description: &Description, defaults: &Defaults) -> Option<()> {
         let written = description.motion.as_ref()?.support.as_ref()?;
         let Support {
@@ -69,7 +69,7 @@ impl Lowering<'_> {
 
     /// A point; for a rod it must be on the axis.
     pub fn on_axis(&mut self, point: Point, place: Extent) -> Option<Point> {
-        // no offset from G is known before the parts are
+        // offsets from G are known only after the parts are
         let is_known = self.composed.is_some() || !self.has_parts;
         match point.offset(self.state.body) {
             Some(offset) if is_known && !self.is_along_axis(offset) => self.report(
@@ -80,7 +80,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Whether a vector of the body is along the axis, if it is a rod.
+    /// Whether a vector of a rod is along its axis; true for other bodies.
     pub fn is_along_axis(&mut self, components: Components) -> bool {
         let Attitude::Line { direction, .. } = self.work.attitude(self.state.body) else {
             return true;

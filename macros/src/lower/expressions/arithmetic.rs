@@ -87,8 +87,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Reports two dimensions that do not fit: the error is on the smaller side, and there on the
-    /// unit, if one was written.
+    /// Reports two dimensions that do not fit. The error underlines the smaller side; if a unit was
+    /// written there, only the unit.
     fn unequal<T>(
         &mut self,
         (a, b): (Dimension, Dimension),
@@ -177,7 +177,7 @@ impl Lowering<'_> {
         None
     }
 
-    /// Reports the sum of a scalar and a vector: the error is on the smaller side.
+    /// Reports the sum of a scalar and a vector. The error underlines the smaller side.
     fn unlike(&mut self, left: Value, right: Value, sides: Sides<'_>) -> Option<Value> {
         let (place, this, other) = if sides.left.size < sides.step.operand.size() {
             (sides.left.extent, left.kind(), right.kind())
@@ -188,7 +188,7 @@ impl Lowering<'_> {
         self.report(place, message)
     }
 
-    /// The text to write if a vector was meant, not a point.
+    /// What to write instead of a point where a vector is meant.
     fn instead(&self, value: Value, written: Option<&Expression>) -> String {
         if !matches!(value, Value::Point(_)) {
             return String::new();
@@ -203,7 +203,7 @@ impl Lowering<'_> {
         format!(": {advice}, the vector to it from the origin of the world")
     }
 
-    /// `P + v`: the matter of the body at this offset from one of its points.
+    /// `P + v`: the material point of the body at this offset from one of its points.
     fn point_beside(
         &mut self,
         point: Point,
@@ -238,7 +238,7 @@ impl Lowering<'_> {
         }))
     }
 
-    /// Vectors and components alike, as a vector.
+    /// A value as a vector, also if its components can be read.
     pub fn as_vector(&mut self, value: Value) -> Option<Vector> {
         match value {
             Value::Vector(vector, _) => Some(vector),
@@ -356,7 +356,7 @@ impl Lowering<'_> {
     }
 }
 
-/// The left side of an operator.
+/// One side of an operator.
 struct Side<'e> {
     value: Option<Value>,
     /// The expression, if it is one.

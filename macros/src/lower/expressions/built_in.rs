@@ -1,4 +1,4 @@
-//! Names: defined ones, and those built into every description.
+//! Names: those that a description defines, and those built into every description.
 
 use proc_macro2::Ident;
 
@@ -12,7 +12,7 @@ use super::lowering::Lowering;
 use super::scope::Value;
 use super::scope::{BUILT_IN, FOLLOWED};
 
-/// The error of `ground` as a point.
+/// The error for `ground` used as a point.
 pub const POINT_OF_GROUND: &str =
     "a point of the ground is written by its coordinates: `world(..)`";
 
@@ -71,7 +71,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Next to the bodies of a system, quantities of a body are named through it.
+    /// Outside the bodies of a system, the quantities of a body need its name in front. Reports one
+    /// without.
     pub fn check_has_body(&mut self, name: &Ident) -> Option<()> {
         let word = name.to_string();
         let is_built_in = [&BUILT_IN[..], &FOLLOWED].concat().contains(&word.as_str());
@@ -86,7 +87,7 @@ impl Lowering<'_> {
         self.report(name.span(), message)
     }
 
-    /// A name that has no value, or none here.
+    /// Reports a name that has no value, or none here.
     fn unknown_name(&mut self, name: &Ident) -> Option<Value> {
         let word = name.to_string();
         let message = match word.as_str() {
@@ -125,7 +126,7 @@ impl Lowering<'_> {
         self.report(name.span(), message)
     }
 
-    /// What an unknown name was probably meant to be.
+    /// What was probably meant by an unknown name.
     fn advice(&self, word: &str) -> String {
         let hint = self.members.hint(word, self.scope.known());
         let is_similar = |known| is_constant(known) && similar(word, [known]).is_some();
@@ -138,7 +139,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// The declaration of a name in capitals, for messages.
+    /// For messages: how a name in capitals can be declared.
     fn of_rust(&self, word: &str) -> String {
         let mut name = word.to_lowercase();
         if self.scope.known().any(|known| known == name) {
@@ -173,7 +174,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// The angular quantity: a vector, in the plane a scalar.
+    /// An angular quantity: a vector in space, a scalar in the plane.
     fn turning(&mut self, components: Components, dimension: Dimension) -> Value {
         if self.motion.is_planar {
             return Value::Scalar(components[2], dimension);
@@ -181,12 +182,14 @@ impl Lowering<'_> {
         Value::Vector(self.work.vector(self.state.axes, components), dimension)
     }
 
-    /// The acceleration of G, by symbols. A body that moves freely and rotates is pushed in its own
-    /// axes: there the loads that depend on its acceleration are known early.
+    /// The acceleration of G, as symbols. For a body that moves and rotates freely, they are
+    /// components in body axes: there, the factors of loads that depend on the acceleration are
+    /// known early.
     pub fn acceleration_of_center(&mut self) -> Vector {
         let (motion, body) = (self.motion, self.state.body);
         let turns = motion.has_attitude() && !motion.is_line();
-        // in systems and under constraints it is solved for with all other unknowns, in world axes
+        // in systems and under constraints, it is solved for together with all other unknowns, in
+        // world axes
         if !motion.translates() || !turns || self.is_constrained {
             return self.state.acceleration;
         }
@@ -199,7 +202,7 @@ impl Lowering<'_> {
         self.work.vector(body, symbols)
     }
 
-    /// The acceleration of the body's matter at a point.
+    /// The acceleration of the material point of the body at a point.
     pub fn acceleration_of(&mut self, point: Point) -> Vector {
         let offset = match point {
             Point::Fixed(body, offset) => self.work.fixed_in(body, offset),
@@ -224,7 +227,8 @@ impl Lowering<'_> {
         self.work.add(driven, drawn)
     }
 
-    /// The definitions of a support cannot depend on the motion that it allows.
+    /// Reports quantities of the motion in the definition of a support, which comes before the
+    /// motion.
     pub fn check_support_is_read(&mut self, place: &Ident) -> Option<()> {
         if self.motion.is_supported() && self.state.support.is_none() {
             return self.report(

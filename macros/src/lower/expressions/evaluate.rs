@@ -1,4 +1,4 @@
-//! The value of an expression: by its kind, from the values of its parts.
+//! The value of an expression, from the values of its parts.
 
 use crate::errors::Extent;
 use crate::model::Dimension;
@@ -64,7 +64,7 @@ impl Lowering<'_> {
         Some(value)
     }
 
-    /// Looks for further errors in an expression that cannot be used because of an error around it.
+    /// Reports further errors in expressions that are not used because of an error around them.
     pub fn visit(&mut self, expressions: &[Expression]) {
         for expression in expressions {
             let is_value = !matches!(
@@ -118,7 +118,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// One of two values, by a condition.
+    /// One of two values, selected by a condition.
     fn choice(&mut self, [condition, first, second]: &[Expression; 3]) -> Option<Value> {
         let (chosen_by, a, b) = (self.value(condition), self.value(first), self.value(second));
         let Value::Condition(chosen_by) = chosen_by? else {

@@ -219,7 +219,7 @@ impl Lowering<'_> {
         Some(Value::Scalar(value, of_value))
     }
 
-    /// The dimension of a function, from that of its operands.
+    /// The dimension of the value of a function, from the dimensions of its operands.
     fn dimension_of(
         &mut self,
         function: Function,
@@ -239,7 +239,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// The other argument of a function of two, and their common dimension.
+    /// The second argument of a function of two, and the dimension that both have in common.
     fn second_operand(
         &mut self,
         of_x: Dimension,

@@ -1,6 +1,6 @@
-//! The context of reading expressions, and the conditions on values.
+//! The context in which expressions are read, and conditions on values.
 //!
-//! Every method returns `None` if an error was reported, here or before; nothing is reported twice.
+//! Every method returns `None` if an error was reported, here or before. Nothing is reported twice.
 
 use proc_macro2::Ident;
 
@@ -14,12 +14,12 @@ use crate::syntax::{Expression, Kind};
 use super::scope::Value;
 use super::scope::{Members, Scope};
 
-/// Messages that are used in more than one place.
+/// Messages that several places use.
 pub const AXES: &str = "in which axes? write `body(..)` or `world(..)` in front of the parentheses";
 pub const UNKNOWN: &str = "unknown components (`_`) stand alone in a reaction or a drive, or as `_ * direction`: write a \
      value here";
 
-/// The requested motion of a point.
+/// Which quantity of the motion of a point is requested.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum OfPoint {
     Position,
@@ -44,19 +44,19 @@ pub struct Lowering<'a> {
     pub errors: &'a mut Errors,
     pub motion: Motion,
     pub state: &'a mut State,
-    /// The names of unknown reactions that loads can refer to, under constraints.
+    /// The names of unknown reactions that loads may refer to, under constraints.
     pub reactions: Vec<String>,
-    /// Under constraints, loads may depend on them.
+    /// Whether there are constraints: then loads may depend on unknown reactions.
     pub is_constrained: bool,
-    /// The drawing origin of a body composed of parts, once they are read.
+    /// The drawing origin of a body composed of parts, once the parts are read.
     pub composed: Option<Composed>,
     /// Whether the body is composed.
     pub has_parts: bool,
     /// The drawing origin of any other body.
     pub drawn: Drawn,
-    /// The bodies and joints of a system; none for a single body.
+    /// The bodies and joints of a system; empty for a single body.
     pub members: &'a Members,
-    /// The expression is next to the bodies of a system, not inside one.
+    /// Whether the expression is outside the bodies of a system.
     pub is_whole: bool,
 }
 
@@ -69,7 +69,7 @@ impl Lowering<'_> {
         self.errors.report(place, message)
     }
 
-    /// The motion in words; for a system, whether it is in the plane or in space.
+    /// The motion in words, for messages. For a system: whether it is in the plane or in space.
     pub fn under(&self) -> String {
         if !self.members.is_system() {
             return format!("under `motion: {}`", self.motion.word);
@@ -142,7 +142,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Refuses an expression without a value, at its word; records it if parameters decide.
+    /// Reports an expression without a value, at its word. If that depends on parameters, it is
+    /// recorded for later.
     pub fn check_value(
         &mut self,
         word: &str,
@@ -183,14 +184,14 @@ impl Lowering<'_> {
         self.report(place, format!("{what} is {expected}, and this is {found}"))
     }
 
-    /// The part of a correct expression that gives it another dimension than `expected`.
+    /// The part of an otherwise correct expression that gives it a dimension other than `expected`.
     pub fn culprit(&mut self, expression: &Expression, expected: Dimension) -> Extent {
         let mut expression = expression;
         loop {
             expression = match &expression.kind {
                 Kind::Unit(_, unit) => return unit.extent,
                 Kind::Prefix(_, operand) => operand,
-                // its values come last
+                // the values are the last argument that is not a word
                 Kind::Call(word, parts) if word == "table" => {
                     let is_word = |part: &&Expression| matches!(part.kind, Kind::Name(_));
                     let values = parts.iter().rev().find(|part| !is_word(part));
@@ -199,7 +200,7 @@ impl Lowering<'_> {
                         _ => word.span().into(),
                     };
                 }
-                // in its own unit, whatever its arguments are
+                // a Rust function has its own unit, whatever its arguments are
                 Kind::Call(word, _)
                     if matches!(self.scope.peek(&word.to_string()), Some(Value::Function(_))) =>
                 {
@@ -241,8 +242,8 @@ impl Lowering<'_> {
         found.map_or(expression.extent, |name| name.span().into())
     }
 
-    /// Mass properties may depend on time and on user-defined states, but not on the motion or on
-    /// inputs.
+    /// Reports mass properties that depend on the motion or on inputs. Time and user-defined states
+    /// are allowed.
     pub fn check_course(&mut self, written: &Expression, ids: &[Id], rule: &str) -> Option<()> {
         if !self.work.follows_motion(ids) {
             return Some(());
@@ -266,7 +267,7 @@ impl Lowering<'_> {
         )
     }
 
-    /// Fixed quantities are known before the body moves; `rule` gives the reason.
+    /// Reports fixed quantities that are not known before the body moves; `rule` gives the reason.
     pub fn check_early(&mut self, written: &Expression, ids: &[Id], rule: &str) -> Option<()> {
         if ids.iter().all(|id| self.work.graph.is_early(*id)) {
             return Some(());
@@ -278,8 +279,8 @@ impl Lowering<'_> {
         )
     }
 
-    /// The numerical values of expressions, with the defaults of parameters; `None` if one has
-    /// none.
+    /// The numerical values of expressions, with the defaults of parameters. `None` if any
+    /// expression has no such value.
     pub fn all_known(&mut self, ids: &[Id], defaults: &Defaults) -> Option<Vec<Number>> {
         let graph = &mut self.work.graph;
         let known = graph.substitute(ids, |id| defaults.get(&id).copied());
@@ -296,7 +297,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// The motion of a point requested by a method.
+    /// The quantity of the motion of a point that a method requests.
     pub fn of_point(&mut self, method: &Ident, arguments: &[Expression]) -> Option<OfPoint> {
         let asked = match method.to_string().as_str() {
             "position" => OfPoint::Position,

@@ -11,8 +11,8 @@ use super::scope::Value;
 use super::scope::{JointNames, Offset};
 
 impl Lowering<'_> {
-    /// The value of an expression that begins with the name of a body or of a joint; the outer
-    /// `None` is any other expression.
+    /// The value of an expression that begins with the name of a body or of a joint. The outer
+    /// `None` stands for any other expression.
     #[allow(
         clippy::option_option,
         reason = "outer: another expression; inner: reported"
@@ -22,7 +22,7 @@ impl Lowering<'_> {
         let is_own = |name: &Ident| !self.is_whole && self.scope.knows(&name.to_string());
         let (receiver, word, arguments) = match &expression.kind {
             Kind::Name(name) if members.has(&name.to_string()) && !is_own(name) => {
-                // an ambiguous name was reported
+                // an ambiguous name is already reported
                 if self.scope.is_lost(&name.to_string()) {
                     return Some(None);
                 }
@@ -165,7 +165,7 @@ impl Lowering<'_> {
         let name = &known.name;
         let is_unknown = known.motion.is_none() && of_state.contains(&written.as_str());
         if is_unknown && self.members.are_moving {
-            // the reason why the motion of this body is unknown was reported
+            // why the motion of this body is unknown is already reported
             return None;
         }
         let message = if is_unknown {
@@ -233,7 +233,7 @@ impl Lowering<'_> {
     }
 }
 
-/// The error for a joint that closes a loop, where a coordinate is needed.
+/// The error for using a coordinate of a joint that closes a loop.
 fn closes(name: &Ident) -> String {
     format!(
         "`{name}` closes a loop: the state has no coordinates of it; write it before the other joint of \

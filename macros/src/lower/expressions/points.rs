@@ -11,7 +11,7 @@ use super::unit::lower_unit;
 use super::written::written_frame;
 
 impl Lowering<'_> {
-    /// A point: a name; `(x, y, z)` in body axes, from G or, in the composition of a body, from its
+    /// A point: a name; `(x, y, z)` in body axes, measured from G or, in a composition, from the
     /// drawing origin; or a vector that is fixed in its frame.
     pub fn point(&mut self, expression: &Expression) -> Option<Point> {
         if let Some((components, found)) = self.tuple(expression)? {
@@ -96,7 +96,8 @@ impl Lowering<'_> {
         self.on_axis(Point::Fixed(frame, offset), written.extent)
     }
 
-    /// A point that is written by its coordinates stands still in its frame.
+    /// Reports a point that moves in its frame: one written by its coordinates has to be fixed
+    /// there.
     fn check_fixed(
         &mut self,
         frame: Frame,
@@ -118,7 +119,7 @@ impl Lowering<'_> {
         self.report(place, message)
     }
 
-    /// The offset of a point of the body from G; for any other point, the error `what`.
+    /// The offset of a point of the body from G. Reports any other point as `what`.
     pub fn body_point(
         &mut self,
         written: &Expression,
@@ -129,7 +130,8 @@ impl Lowering<'_> {
         offset.or_else(|| self.report(written.extent, what(point.where_else())))
     }
 
-    /// `(x, y, z)`, `body(x, y, z)` and both with a unit; the inner `None` is anything else.
+    /// `(x, y, z)` or `body(x, y, z)`, with or without a unit. The inner `None` stands for anything
+    /// else.
     #[allow(clippy::option_option, reason = "outer: reported; inner: not a tuple")]
     fn tuple(&mut self, expression: &Expression) -> Option<Option<(Components, Dimension)>> {
         match &expression.kind {
@@ -153,7 +155,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Whether a vector has as many components as the motion has axes.
+    /// Checks that a vector has as many components as the motion has axes.
     pub fn check_count(&mut self, parts: &[Expression], extent: Extent) -> Option<()> {
         let axes = self.motion.axes();
         if parts.len() == axes {
@@ -214,8 +216,8 @@ impl Lowering<'_> {
     }
 }
 
-/// The dimension that fits the fewest of the others, the last such one, and one that it does not
-/// fit.
+/// The dimension that disagrees with most of the others (in a tie, the last one), and one that it
+/// disagrees with.
 fn odd_one_out(dimensions: &[Dimension]) -> Option<(usize, Dimension)> {
     let strangers = |index: usize| {
         let own = dimensions[index];

@@ -18,11 +18,12 @@ pub use crate::syntax::BUILT_IN;
 pub enum Value {
     Scalar(Id, Dimension),
     Vector(Vector, Dimension),
-    /// A vector whose components can be read, with the chosen axes.
+    /// A vector whose components can be read, because its axes are known.
     Components(Frame, Components, Dimension),
     Condition(Id),
     Point(Point),
-    /// A point of a body of a system, by the index of the body: its offset from that body's G.
+    /// A point of a body of a system: the index of the body, and the offset from the G of that
+    /// body.
     Carried(usize, Vector),
     /// The attitude of the body.
     Attitude,
@@ -45,10 +46,10 @@ impl Value {
     }
 }
 
-/// Names with a meaning under `motion: rod(..)` only.
+/// Names that have a meaning only under `motion: rod(..)`.
 pub const OF_ROD: [&str; 2] = ["axis", "axis_rate"];
 
-/// Names of accelerations, unless a definition takes them.
+/// Names of accelerations, unless the description defines them otherwise.
 pub const FOLLOWED: [&str; 2] = ["acceleration", "angular_acceleration"];
 
 /// Built-in names of quantities that change while the body moves.
@@ -64,10 +65,10 @@ const CHANGING: [&str; 9] = [
     "axis_rate",
 ];
 
-/// The meanings of the names of a description.
+/// What the names of a description mean.
 #[derive(Clone)]
 pub struct Scope {
-    /// `None` is known, but was reported and has no value.
+    /// `None` stands for a known name without a value, which is reported.
     values: HashMap<String, Option<Value>>,
     used: HashSet<String>,
     /// All names that the description defines somewhere.
@@ -77,7 +78,7 @@ pub struct Scope {
 }
 
 impl Scope {
-    /// `repeated` are ambiguous names.
+    /// `repeated` are names that are ambiguous.
     pub fn new(description: &Description, repeated: HashSet<String>) -> Self {
         let given = description.params.iter().chain(&description.inputs);
         let declarations = given.chain(&description.states);
@@ -102,7 +103,7 @@ impl Scope {
         self.values.insert(name.to_owned(), value);
     }
 
-    /// Removes the value of a name, which gets one later.
+    /// Removes the value of a name. The name gets a value later.
     pub fn forget(&mut self, name: &str) {
         self.values.remove(name);
     }
@@ -118,7 +119,7 @@ impl Scope {
         Some(*value)
     }
 
-    /// The values of all names, to be restored.
+    /// The values of all names, so that they can be restored.
     pub fn values(&self) -> HashMap<String, Option<Value>> {
         self.values.clone()
     }
@@ -127,12 +128,12 @@ impl Scope {
         self.values = values;
     }
 
-    /// Whether the description, or the language, gives this name a value that is no constant.
+    /// Whether the description or the language may give this name a value that is not constant.
     pub fn is_open(&self, name: &str) -> bool {
         self.defined.contains(name) || CHANGING.contains(&name) || name == "mass"
     }
 
-    /// Whether a name has a value, or had one that was reported.
+    /// Whether a name has a value, or would have one but for a reported error.
     pub fn knows(&self, name: &str) -> bool {
         self.values.contains_key(name)
     }
@@ -152,13 +153,13 @@ impl Scope {
         CHANGING.contains(&name)
     }
 
-    /// The names with a meaning.
+    /// The names that have a meaning.
     pub fn known(&self) -> impl Iterator<Item = &str> {
         let own = self.values.keys().map(String::as_str);
         own.chain(BUILT_IN).chain(FOLLOWED)
     }
 
-    /// Whether it was looked up.
+    /// Whether a name was looked up.
     pub fn has_used(&self, name: &str) -> bool {
         self.used.contains(name)
     }
@@ -171,7 +172,7 @@ impl Scope {
 /// The bodies and joints of a system, by their names.
 #[derive(Default)]
 pub struct Members {
-    /// The names of all bodies, and then of all joints, whether they are read yet or not.
+    /// The names of all bodies, followed by those of all joints, whether they are read yet or not.
     pub declared: Vec<String>,
     /// The locals of the system that depend on its motion.
     pub late: Vec<String>,
@@ -179,30 +180,30 @@ pub struct Members {
     pub joints: Vec<JointNames>,
     /// Whether their motion is known.
     pub are_moving: bool,
-    /// Whether joints have loads: in checks.
+    /// Whether the loads of joints can be used, as in checks.
     pub are_loaded: bool,
-    /// The requested points, by the index of the body.
+    /// Points that were used: the index of the body, and the name.
     pub used: RefCell<HashSet<(usize, String)>>,
 }
 
-/// A body, as others see it.
+/// What others can use of a body.
 pub struct BodyNames {
     pub name: String,
     pub frame: Frame,
-    /// The place of its G, if others are drawn in the same frame.
+    /// The place of its G, if all bodies are drawn in one frame.
     pub origin: Option<Origin>,
-    /// Its points, from its G.
+    /// Its points, measured from its G.
     pub points: Offsets,
-    /// Once the joints are known.
+    /// Its motion, once the joints are known.
     pub motion: Option<BodyMotion>,
-    /// `position`, `attitude`, `mass`: its quantities other than those of points.
+    /// Its quantities other than those of points: `position`, `attitude`, `mass`.
     pub values: Values,
 }
 
-/// The place of a point of a body.
+/// Where a point of a body is.
 #[derive(Clone, Copy)]
 pub enum Offset {
-    /// From its G.
+    /// Its offset from the body's G.
     Known(Vector),
     /// It depends on the motion of the body, which is not known yet.
     Late,
@@ -215,7 +216,7 @@ pub struct BodyMotion {
     pub position: Vector,
     pub velocity: Vector,
     pub acceleration: Vector,
-    /// In its axes.
+    /// In the axes of the body.
     pub angular_velocity: Components,
     pub angular_acceleration: Components,
 }
@@ -226,20 +227,20 @@ type Values = Vec<(&'static str, Value)>;
 /// Points, by name.
 pub type Offsets = Vec<(String, Offset)>;
 
-/// The definitions of bodies and joints that move.
+/// What is known of moving bodies and joints.
 pub struct Told {
     bodies: Vec<(Option<BodyMotion>, Values, Offsets)>,
     joints: Vec<Values>,
 }
 
-/// A joint, as others see it.
+/// What others can use of a joint.
 pub struct JointNames {
     pub name: String,
-    /// Its coordinates and their rates; those without a value were reported.
+    /// Its coordinates and their rates, unless an error in them is reported.
     pub values: Values,
-    /// Whether it is known.
+    /// Whether it is read.
     pub is_known: bool,
-    /// It closes a loop: the state has no coordinates for it.
+    /// Whether it closes a loop: then the state has no coordinates for it.
     pub closes: bool,
 }
 
@@ -252,12 +253,12 @@ impl Members {
         self.joints.iter().find(|joint| joint.name == name)
     }
 
-    /// Whether this is a body or a joint.
+    /// Whether this is the name of a body or a joint.
     pub fn has(&self, name: &str) -> bool {
         self.body(name).is_some() || self.joint(name).is_some()
     }
 
-    /// The definitions of bodies and joints that move, to be restored.
+    /// What is known of moving bodies and joints, so that it can be restored.
     pub fn moving(&self) -> Told {
         let bodies = self.bodies.iter();
         Told {
@@ -281,12 +282,13 @@ impl Members {
         }
     }
 
-    /// Whether there is a system.
+    /// Whether this is a system, not a single body.
     pub fn is_system(&self) -> bool {
         !self.declared.is_empty()
     }
 
-    /// The end of a message about an unknown name: its copies, or a similar one of `others`.
+    /// The end of a message about an unknown name. It suggests copies of the name, or a similar
+    /// name, also from `others`.
     pub fn hint<'a>(&'a self, name: &str, others: impl Iterator<Item = &'a str>) -> String {
         let copies = self.declared.iter().filter(|known| {
             known

@@ -7,7 +7,7 @@ use crate::symbolic::{Function, Number};
 use crate::syntax::UnitExpression;
 use crate::units::{ANGLES, CUSTOMARY, METRIC, PREFIXES, SPELT_OUT, unit_and_exponent};
 
-/// The factor to SI and the dimension of a unit; unknown names are reported.
+/// The factor that converts a unit to SI units, and its dimension. Unknown names are reported.
 pub fn lower_unit(unit: &UnitExpression, errors: &mut Errors) -> Option<(Number, Dimension)> {
     let mut known = Some((Number::one(), Dimension::NONE));
     let mut is_known = true;
@@ -33,7 +33,7 @@ pub fn lower_unit(unit: &UnitExpression, errors: &mut Errors) -> Option<(Number,
     known.filter(|_| is_known)
 }
 
-/// The unit for display: in the written words.
+/// The unit for display, in the words of the user.
 pub fn written_unit(unit: &UnitExpression) -> Unit {
     let factors = unit.factors.iter();
     Unit(

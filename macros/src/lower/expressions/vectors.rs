@@ -14,7 +14,7 @@ use super::scope::Value;
 use super::unit::TOO_LARGE;
 
 impl Lowering<'_> {
-    /// In the plane: `w.cross(v)` of a scalar `w` about z.
+    /// In the plane: `w.cross(v)`, where the scalar `w` is about z.
     pub fn planar_rotation(
         &mut self,
         w: Id,
@@ -99,7 +99,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// The axes of `.in_world()`, `.in_body()` or `.in_body(upper)`.
+    /// The axes that `.in_world()`, `.in_body()` or `.in_body(upper)` name.
     fn named_frame(&mut self, method: &Ident, arguments: &[Expression]) -> Option<Frame> {
         if method == "in_world" {
             return Some(Frame::WORLD);
@@ -118,7 +118,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// A cross product: in the plane, its component along z.
+    /// A cross product; in the plane, only its component along z.
     fn moment_value(&mut self, product: Vector, dimension: Dimension) -> Value {
         if self.motion.is_planar {
             let parts: Vec<Id> = self
@@ -170,8 +170,8 @@ impl Lowering<'_> {
         Some(Value::Vector(vector, asked.dimension()))
     }
 
-    /// `w x r`, with w in these axes, each part of r in its own: the components of w change
-    /// together, and `w x w` is zero.
+    /// `w x r`, with w in these axes and each part of r in its own axes. The components of w are
+    /// rotated together, so that `w x w` is zero.
     pub fn swept(&mut self, offset: Vector, w: Components, axes: Frame) -> Vector {
         let mut swept = Vector::ZERO;
         let own = self.work.vector(axes, w);

@@ -1,4 +1,4 @@
-//! Properties of an expression that are known before it is read.
+//! What can be said of an expression before it is read.
 
 use crate::errors::Extent;
 use crate::families::Family;
@@ -19,7 +19,8 @@ pub fn is_drive(written: &syntax::Load) -> bool {
     drives && value.is_some_and(|value| placeholders(value).next().is_some())
 }
 
-/// Whether it is one in world axes with a known component, or along a direction, at a point.
+/// Whether a load is such a drive and acts at a point, with a known component in world axes or
+/// along a direction.
 pub fn is_turning_drive(written: &syntax::Load) -> bool {
     let Some(value) = written.vector.as_ref().filter(|_| is_drive(written)) else {
         return false;
@@ -31,7 +32,7 @@ pub fn is_turning_drive(written: &syntax::Load) -> bool {
     in_world && written.point.is_some()
 }
 
-/// The placeholders in `_`, `body(_, 0, _)` and `body(_, 0, _)[N]`, with their axes.
+/// The placeholders in `_`, `body(_, 0, _)` and `body(_, 0, _)[N]`, with the indices of their axes.
 pub fn placeholders(value: &Expression) -> impl Iterator<Item = (usize, Extent)> {
     let inner = match &value.kind {
         Kind::Unit(inner, _) => inner,
@@ -78,7 +79,7 @@ pub fn has_placeholder(value: &Expression) -> bool {
     }
 }
 
-/// The axes of a written vector, as far as its form shows.
+/// The axes of a written vector, if its form shows them.
 pub fn written_frame(value: &Expression) -> Option<FrameWord> {
     match &value.kind {
         Kind::Unit(operand, _) | Kind::Prefix(_, operand) => written_frame(operand),
@@ -99,7 +100,7 @@ pub fn motion(word: &str) -> Option<Motion> {
     MOTIONS.iter().find(|motion| motion.word == word).copied()
 }
 
-/// The expression before all methods and units.
+/// The innermost expression, without the methods and units after it.
 pub fn base(expression: &Expression) -> &Expression {
     let mut expression = expression;
     while let Kind::Method(inner, ..) | Kind::Unit(inner, _) = &expression.kind {
@@ -113,7 +114,7 @@ pub fn is_of_solid(written: &Expression) -> bool {
     matches!(&base(written).kind, Kind::Call(word, _) if is_solid(word))
 }
 
-/// `a - b` for `a == b`; long sides are left out.
+/// `a - b` for `a == b`, unless a side is long.
 pub fn difference(expression: &Expression) -> Option<String> {
     let Kind::Chain(left, rest) = &expression.kind else {
         return None;
@@ -131,7 +132,7 @@ pub fn difference(expression: &Expression) -> Option<String> {
     })
 }
 
-/// A name, a number or a part of one, as written.
+/// The text of an expression that is a name, a number, or a part of one.
 fn short(expression: &Expression) -> Option<String> {
     match &expression.kind {
         Kind::Number(digits) => Some(digits.clone()),

@@ -7,12 +7,12 @@ use crate::symbolic::{Id, Number};
 use super::draft::Draft;
 
 impl Lowering<'_> {
-    /// The inertia of a rod as one moment J: `J (1 - e e)` is the only possible tensor.
+    /// The inertia of a rod, as one moment J: only the tensor `J (1 - e e)` is possible.
     pub fn across_axis(&mut self, draft: Draft) -> Option<Draft> {
         let Inertia::Spatial(rows) = draft.inertia else {
             return Some(draft);
         };
-        // the error in the direction is reported
+        // otherwise the error in the direction is reported
         let Attitude::Line { direction, .. } = self.work.attitude(self.state.body) else {
             return None;
         };
@@ -23,7 +23,7 @@ impl Lowering<'_> {
         let mut rest: Vec<Id> = Vec::new();
         for i in 0..3 {
             for j in 0..3 {
-                // J e e, minus J if i = j, and the entry
+                // the entry less that of J (1 - e e), which must be zero
                 let dyad = graph.multiply(direction[i], direction[j]);
                 let dyad = graph.multiply(moment, dyad);
                 let sum = graph.add(rows[i][j], dyad);
@@ -50,6 +50,6 @@ impl Lowering<'_> {
     }
 }
 
-/// The expected form of the inertia of a rod.
+/// The forms in which the inertia of a rod can be written.
 pub const FORMS_OF_ROD: &str =
     "write the one moment across its axis, `rod(l)`, or `compose([..])` of rods and points";

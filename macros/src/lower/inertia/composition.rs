@@ -1,8 +1,8 @@
-//! A body composed of parts: its mass, its center of mass and its inertia about it.
+//! A body composed of parts: its mass, its center of mass, and its inertia about that.
 //!
-//! Parts and points are relative to one drawing origin. Nothing is ever moved back to G by a
-//! subtraction: offsets are taken from the first part, then from G, and the inertia is built up
-//! about G (`docs/trust.md`, H3).
+//! Parts and points are relative to one drawing origin. No inertia is moved to G by a subtraction:
+//! offsets are measured from the first part, then from G, and the inertia is summed about G
+//! (`docs/trust.md`, H3).
 
 use crate::errors::{Extent, every};
 use crate::lower::expressions::{Lowering, base, is_of_solid};
@@ -16,18 +16,18 @@ const NO_MASS: &str = "this part has no mass: write `.mass(1[kg])` behind it";
 const HOLE: &str = "a part of negative mass is a hole, and a hole is a solid or a point: write \
                     `cylinder(r, h).mass(..)`";
 
-/// A part after reading.
+/// A part that is read.
 struct Member {
     mass: Id,
     is_hole: bool,
-    /// About its own center of mass.
+    /// The inertia about its own center of mass.
     inertia: Inertia,
-    /// From the drawing origin.
+    /// The place of its center of mass, from the drawing origin.
     point: Components,
 }
 
 impl Lowering<'_> {
-    /// Reads the parts; from here on, points are offsets from G.
+    /// Reads the parts. From here on, points are offsets from G.
     pub fn compose(&mut self, written: &Composition, defaults: &Defaults) -> Option<Composed> {
         let parts = written.parts.iter();
         let members = every(parts.map(|part| self.member(part.as_ref()?, defaults)))?;
@@ -86,7 +86,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// Points are relative to G, which must stay fixed in the body.
+    /// Checks that G stays fixed in the body, because points are relative to it.
     fn check_center(
         &mut self,
         written: &Composition,
@@ -113,7 +113,7 @@ impl Lowering<'_> {
         )
     }
 
-    /// The parts of a rod lie along its axis; offsets are from the first part.
+    /// Checks that the parts of a rod lie along its axis; offsets are measured from the first part.
     fn check_on_one_line(&mut self, written: &Composition, offsets: &[Components]) -> Option<()> {
         let mut is_right = true;
         for (part, offset) in written.parts.iter().flatten().zip(offsets) {
@@ -174,14 +174,15 @@ impl Lowering<'_> {
         let form = base(&part.form);
         match &form.kind {
             Kind::Poisoned => None,
-            // the only error is that nothing can be calculated with a form
+            // the only error is that forms cannot be added or multiplied, which is reported
+            // elsewhere
             Kind::Chain(..) | Kind::Prefix(..) if !self.motion.has_one_moment() => None,
             Kind::Call(word, _) | Kind::Record(word, _) => self.report(word.span(), NO_MASS),
             _ => self.report(form.extent, NO_MASS),
         }
     }
 
-    /// The inertia of a point about itself: none.
+    /// The inertia of a point about itself, which is zero.
     fn of_a_point(&mut self) -> Inertia {
         let graph = &mut self.work.graph;
         if self.motion.has_one_moment() {
@@ -191,7 +192,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// The inertia of such a part about its own center of mass.
+    /// The inertia of a part about its own center of mass.
     fn inertia_of(
         &mut self,
         part: &Part,

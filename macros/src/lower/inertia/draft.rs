@@ -1,18 +1,18 @@
-//! An inertia as written, entry by entry, with the places that errors underline.
+//! An inertia as written, entry by entry, with the places for errors.
 
 use crate::errors::Extent;
 use crate::model::{Defaults, Inertia, Mass};
 use crate::symbolic::{Id, Number};
 use crate::syntax::{Expression, Kind, Prefix};
 
-/// The context of reading an inertia.
+/// What the reading of an inertia needs.
 #[derive(Clone, Copy)]
 pub struct Context<'d> {
     pub mass: Mass,
     pub defaults: &'d Defaults,
 }
 
-/// An inertia as written, with the places to blame.
+/// An inertia as written, with the places for errors.
 pub struct Draft {
     pub inertia: Inertia,
     pub entries: Vec<Entry>,
@@ -26,13 +26,13 @@ pub struct Entry {
     pub extent: Extent,
     /// Its value, before it is moved to G.
     pub value: Id,
-    /// Its number, if it is a plain one that can be corrected.
+    /// Its number, if it is a plain one, for which a correction can be suggested.
     pub literal: Option<Number>,
     pub digits: String,
 }
 
 impl Draft {
-    /// The written form of an entry of the symmetric matrix.
+    /// What was written for an entry of the symmetric matrix.
     pub fn entry(&self, row: usize, column: usize) -> Option<&Entry> {
         self.entries.iter().find(|entry| {
             (entry.row, entry.column) == (row, column) || (entry.column, entry.row) == (row, column)

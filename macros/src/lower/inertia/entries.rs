@@ -1,4 +1,4 @@
-//! Inertia by its entries: `principal(..)`, `tensor { .. }` and `products { .. }`.
+//! Inertia given by its entries: `principal(..)`, `tensor { .. }` and `products { .. }`.
 
 use proc_macro2::Ident;
 
@@ -59,8 +59,8 @@ impl Lowering<'_> {
         })
     }
 
-    /// `tensor { .. }` has the entries of the tensor, `products { .. }` the products of inertia
-    /// `J_xy = +integral of x y dm`: their off-diagonals differ in sign (E3).
+    /// `tensor { .. }` has the entries of the tensor, `products { .. }` has products of inertia
+    /// `J_xy = +integral of x y dm`. Their off-diagonal entries differ in sign (E3).
     pub fn record(
         &mut self,
         word: &Ident,

@@ -12,7 +12,7 @@ use super::across_axis::FORMS_OF_ROD;
 use super::draft::{Context, Draft, Entry};
 
 impl Lowering<'_> {
-    /// Lowers the value of `inertia:` and checks it as far as it is known; `defaults` are the
+    /// Reads the value of `inertia:`, and checks it as far as it is known; `defaults` are the
     /// default values of parameters.
     pub fn inertia(
         &mut self,
@@ -46,7 +46,7 @@ impl Lowering<'_> {
             );
         };
         let value = written.value.as_ref()?;
-        // an unneeded inertia is still read, so that its errors are found
+        // an inertia that is not needed is read too, so that its errors are found
         let draft = self.form(value, Context { mass, defaults })?;
         let turns = self.motion.has_attitude();
         match &base(value).kind {
@@ -75,7 +75,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// A constant inertia, in the form of the kind of motion.
+    /// A constant inertia, in the form that the kind of motion needs.
     pub fn form(&mut self, written: &Expression, context: Context<'_>) -> Option<Draft> {
         let mut draft = self.draft(written, context)?;
         if let (true, Inertia::Spatial(rows)) = (self.motion.is_planar, draft.inertia) {
@@ -145,7 +145,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// A form of inertia followed by a unit.
+    /// An inertia in one of its forms, followed by a unit.
     fn in_unit(
         &mut self,
         inner: &Expression,
@@ -172,7 +172,7 @@ impl Lowering<'_> {
         Some(self.scale_draft(factor, draft))
     }
 
-    /// Reports an expression that is no inertia of a body in space.
+    /// Reports an expression that is not the inertia of a body in space.
     fn not_in_space(&mut self, written: &Expression) -> Option<Draft> {
         match &written.kind {
             Kind::Call(word, _) if word == "tensor" || word == "products" => self.report(
@@ -233,14 +233,14 @@ impl Lowering<'_> {
     }
 }
 
-/// The reason why an inertia must be early.
+/// Why an inertia must be known early.
 pub const CONSTANT: &str = "the inertia is constant in body axes";
 
 pub const FORMS: &str = "write `principal(a, b, c)`, `tensor { xx, yy, zz, xy, yz, zx }`, \
                          `products { .. }` or a solid such as `cylinder(r, h)`; `tensor` and \
                          `products` differ in the sign of the off-diagonals";
 
-/// Whether one of the forms of inertia occurs in `expression`.
+/// Whether `expression` contains one of the forms of inertia.
 fn has_form(expression: &Expression) -> bool {
     let mut found = false;
     expression.visit(|part| {
@@ -263,5 +263,5 @@ fn is_scalar(expression: &Expression) -> bool {
     }
 }
 
-/// Methods of an inertia.
+/// The methods that an inertia has.
 const MOVES: [&str; 5] = ["about", "along", "turned", "mass", "at"];

@@ -8,7 +8,7 @@ use crate::model::{Mass, Point};
 use super::draft::Draft;
 
 impl Lowering<'_> {
-    /// The parallel-axis theorem, exactly: `J_G = J_P - m (r^2 1 - r r)`.
+    /// The inertia about G by the parallel-axis theorem, exactly: `J_G = J_P - m (r^2 1 - r r)`.
     pub fn moved_to_center(
         &mut self,
         draft: Draft,

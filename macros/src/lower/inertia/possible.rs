@@ -1,8 +1,8 @@
-//! Possible inertias, and suggestions for a misplaced decimal point.
+//! Which inertias are possible, and suggestions for a misplaced decimal point.
 //!
-//! A tensor is possible if it is symmetric and half its trace minus itself is positive
-//! semidefinite, which is the triangle inequality in every frame (`docs/statements.md`, F08).
-//! Numbers are checked exactly; equality, a flat body, is allowed.
+//! A tensor is possible if it is symmetric and if half its trace minus the tensor is positive
+//! semidefinite: this is the triangle inequality in every frame (`docs/statements.md`, F08).
+//! Numbers are checked exactly. Equality, which means a flat body, is allowed.
 
 use proc_macro2::Ident;
 
@@ -23,13 +23,13 @@ impl Lowering<'_> {
         let all: Vec<Id> = entries.iter().copied().chain(written).collect();
         let numbers = self.all_known(&all, defaults);
         let Some(numbers) = numbers else {
-            // it depends on values given when a body is built, and `new` checks the rest
+            // it depends on values that are given when a body is built, so `new` checks it
             return self.check_known_moments(draft);
         };
         match draft.inertia {
             Inertia::Absent => Some(()),
             Inertia::Scalar(_) if numbers[0].is_positive() => Some(()),
-            // a point swings about a pin at a distance
+            // a point mass may swing about a pin at a distance
             Inertia::Scalar(_) if numbers[0].is_zero() && self.is_held_off_center() => Some(()),
             Inertia::Scalar(_) => self.report(
                 draft.extent,
@@ -50,9 +50,9 @@ impl Lowering<'_> {
         }
     }
 
-    /// Refuses a body that rotates freely and is so thin that its rotation about its own axis has
-    /// few correct digits (H1), although such an inertia is possible; `new` checks an inertia made
-    /// from parameters.
+    /// Reports a body that rotates freely and is so thin that its rotation about its own axis has
+    /// few correct digits (H1), although its inertia is possible. If the inertia depends on
+    /// parameters, `new` checks it.
     pub fn check_not_a_rod(&mut self, inertia: Inertia, place: Extent) -> Option<()> {
         if self.motion.orientation != Orientation::Quaternion || self.motion.is_supported() {
             return Some(());
@@ -88,7 +88,7 @@ impl Lowering<'_> {
         support.is_some_and(|support| !self.work.graph.is_zero_vector(&support.offset))
     }
 
-    /// Whatever the rest is: a known moment must be positive.
+    /// Checks that each known moment is positive, whatever the other entries are.
     fn check_known_moments(&mut self, draft: &Draft) -> Option<()> {
         for entry in draft
             .entries
@@ -115,8 +115,8 @@ impl Lowering<'_> {
         Some(())
     }
 
-    /// Checks a composed inertia. Each part is possible, so without holes the only possible
-    /// defect is that all mass lies on one line.
+    /// Checks a composed inertia. Each part is possible. So without holes, only one thing can be
+    /// wrong: all mass lies on one line.
     pub fn check_composed(
         &mut self,
         inertia: Inertia,
@@ -164,7 +164,7 @@ impl Lowering<'_> {
         )
     }
 
-    /// `values` are those of the entries as written, in SI units.
+    /// Reports an impossible inertia; `values` are those of its written entries, in SI units.
     fn report_violation(
         &mut self,
         draft: &Draft,
@@ -213,8 +213,8 @@ struct Literal<'a> {
     value: &'a Number,
 }
 
-/// The literal, if there is exactly one, whose moved decimal point gives a possible
-/// inertia: its row and column, and the corrected text.
+/// The literal whose shifted decimal point gives a possible inertia, if there is exactly one: its
+/// row and column, and the corrected text.
 fn mend(matrix: &Matrix, literals: &[Literal<'_>]) -> Option<(usize, usize, String)> {
     for shift in 1..=3 {
         let mut found = Vec::new();

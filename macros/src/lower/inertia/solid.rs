@@ -51,7 +51,7 @@ impl Lowering<'_> {
             });
         }
         let moments = if self.motion.is_planar && word == "rod" {
-            // in the plane, a rod lies in it
+            // in the plane, a rod lies in that plane
             [moments[2], moments[0], moments[1]]
         } else {
             moments

@@ -1,8 +1,8 @@
 //! Inertia in rotated axes.
 //!
 //! A tensor is `lambda` times the unit matrix, plus a dyad along the axis of each principal moment
-//! that differs from `lambda`. Rotations move only the dyads, so equal moments stay equal
-//! and quarter turns are exact.
+//! that differs from `lambda`. A rotation changes only the dyads, so equal moments stay equal and
+//! quarter turns are exact.
 
 use proc_macro2::Ident;
 
@@ -18,7 +18,7 @@ use super::form::CONSTANT;
 type Matrix = [Components; 3];
 
 impl Lowering<'_> {
-    /// `.along(direction)`: rotates the axis of symmetry, initially z, to `direction`.
+    /// `.along(direction)`: rotates the axis of symmetry from z to `direction`.
     pub fn along(&mut self, draft: Draft, place: &Ident, written: &[Expression]) -> Option<Draft> {
         self.refuse_of_rod(place)?;
         let [written] = written else {
@@ -128,7 +128,8 @@ fn outer(graph: &mut Graph, a: Components) -> Matrix {
 fn from_dyads(graph: &mut Graph, lambda: Id, dyads: &[(Id, Matrix)]) -> Matrix {
     [0, 1, 2].map(|i| {
         [0, 1, 2].map(|j| {
-            // on the diagonal, as a mean: without a difference of moments
+            // lambda times what the dyads leave of the unit matrix: no difference of moments is
+            // taken
             let mut rest = if i == j { graph.one() } else { graph.zero() };
             let mut sum = graph.zero();
             for (moment, dyad) in dyads {
@@ -167,7 +168,7 @@ pub fn rotation(graph: &mut Graph, direction: Components, angle: Id) -> Matrix {
     rows
 }
 
-/// Where one of them is zero, the other is exactly one or minus one.
+/// Cosine and sine; where one is zero, the other is exactly one or minus one.
 fn cosine_and_sine(graph: &mut Graph, angle: Id) -> (Id, Id) {
     let cosine = graph.apply(Function::Cos, &[angle]);
     let sine = graph.apply(Function::Sin, &[angle]);

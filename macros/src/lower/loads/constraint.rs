@@ -1,4 +1,4 @@
-//! Constraints: `name = expression`, kept at zero.
+//! Constraints: `name = expression`, which is kept at zero.
 
 use std::collections::{BTreeMap, HashSet};
 
@@ -10,7 +10,7 @@ use crate::model::{AXES, Constraint, Declared, Dimension, Frame, Level, Meaning,
 use crate::symbolic::Id;
 use crate::syntax::{Definition, Description, Expression};
 
-/// The place where a definition mentions a name, directly or through a local.
+/// The place where a definition mentions a name, directly or in a local that it uses.
 fn mention<'d>(
     written: &'d Definition,
     name: &str,
@@ -96,7 +96,7 @@ impl Lowering<'_> {
         Some(constraints)
     }
 
-    /// The written form of a constraint, or the meaning of a link.
+    /// The value of a constraint; for a link, the value that the link keeps at zero.
     pub fn constrained(&mut self, expression: &Expression) -> Option<Value> {
         match self.link(expression) {
             Some(link) => Some(Value::Scalar(link?, Dimension::LENGTH)),
@@ -104,8 +104,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// The scalars of one constraint: a vector counts as its components, in world axes unless it
-    /// says otherwise.
+    /// The scalars of one constraint. A vector counts as its components, in world axes unless other
+    /// axes are written.
     pub fn kept_at_zero(&mut self, written: &Definition) -> Option<Vec<(String, Id)>> {
         let expression = written.value.as_ref()?;
         let name = &written.name;
@@ -134,7 +134,8 @@ impl Lowering<'_> {
         Some(scalars)
     }
 
-    /// Inputs in a constraint are differentiated with it.
+    /// Reports inputs that are not `.moving`, because inputs in a constraint are differentiated
+    /// with it.
     fn check_inputs(
         &mut self,
         written: &Definition,
@@ -198,7 +199,7 @@ impl Lowering<'_> {
             .collect()
     }
 
-    /// `None` if it depends on no part of the state.
+    /// The level of a constraint; `None` if it depends on no part of the state.
     fn level(&self, value: Id) -> Option<Level> {
         use Variable::{Angle, AngularVelocity, Axis, AxisRate, Position, Quaternion, Velocity};
         let depends = |variables: &[Variable]| self.work.depend_on(&[value], variables);

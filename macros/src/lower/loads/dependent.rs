@@ -1,4 +1,4 @@
-//! The dependencies of an expression, and the name in it that is to blame.
+//! What an expression depends on, and the name in it that an error should underline.
 
 use std::collections::HashSet;
 
@@ -7,7 +7,7 @@ use crate::lower::expressions::{Lowering, Value};
 use crate::symbolic::{Id, Node};
 use crate::syntax::{Expression, Kind};
 
-/// Words for accelerations, of bodies, points and joints.
+/// Words for the accelerations of bodies, points and joints.
 const ACCELERATIONS: [&str; 4] = [
     "acceleration",
     "angular_acceleration",
@@ -25,7 +25,7 @@ impl Lowering<'_> {
             .collect()
     }
 
-    /// Whether any of `roots` depends on one of the symbols, also through rotated vectors.
+    /// Whether any of `roots` depends on one of the symbols, directly or through rotated vectors.
     pub fn depends(&self, roots: &[Id], symbols: &[Id]) -> bool {
         let mut followed = HashSet::new();
         let mut pending = roots.to_vec();
@@ -45,8 +45,8 @@ impl Lowering<'_> {
         false
     }
 
-    /// The first of the names and methods in `expression` that is one of `words`, or whose value
-    /// depends on the symbols.
+    /// The first name or method in `expression` that is one of `words`, or whose value depends on
+    /// one of the symbols.
     pub fn dependent_name(
         &self,
         expression: &Expression,
@@ -85,7 +85,7 @@ impl Lowering<'_> {
         found.unwrap_or(expression.extent)
     }
 
-    /// Only given loads may depend on an acceleration.
+    /// Reports an acceleration: only given loads may depend on one.
     pub fn check_no_acceleration(
         &mut self,
         written: &Expression,
@@ -101,7 +101,7 @@ impl Lowering<'_> {
         )
     }
 
-    /// The place where an expression with these parts names an acceleration.
+    /// Where an expression with these values mentions an acceleration.
     pub fn mentioned_acceleration(&self, written: &Expression, roots: &[Id]) -> Option<Extent> {
         let all = self.work.meanings.accelerations();
         let all: Vec<Id> = all
@@ -111,7 +111,7 @@ impl Lowering<'_> {
         depends.then(|| self.dependent_name(written, &all, &ACCELERATIONS))
     }
 
-    /// The place where an expression names an unknown reaction.
+    /// Where an expression mentions an unknown reaction.
     pub fn mentioned_reaction(&self, value: &Expression) -> Option<Extent> {
         let names = value.names();
         let found = names

@@ -8,7 +8,7 @@ use crate::syntax::{Expression, Kind, LINK, call};
 
 const FORM: &str = "link(P, Q, length)";
 
-/// The place of an end, and its body, if that is not the ground.
+/// The body of an end, unless it is the ground, and the place of the end.
 type End = (Option<usize>, Vector);
 
 /// Whether it is written as a link.
@@ -23,7 +23,8 @@ impl Lowering<'_> {
     /// (length^2 - PQ^2) / (2 length)
     /// ```
     ///
-    /// Its gradient by Q has the size 1 and points to P: the load that keeps it is the tension.
+    /// Its gradient with respect to Q has the size 1 and points to P, so the load that keeps it at
+    /// zero is the tension.
     #[allow(clippy::option_option, reason = "outer: not a link; inner: reported")]
     pub fn link(&mut self, written: &Expression) -> Option<Option<Id>> {
         let ((word, arguments), methods) = call(written)?;
@@ -99,7 +100,7 @@ impl Lowering<'_> {
                         "expected a point that is fixed in its body, and this one moves in it";
                     return self.report(written.extent, message);
                 }
-                // the motion of a body whose joint is reported is unknown
+                // an error in the joint of the body is reported, so its motion is unknown
                 let position = known.motion?.position;
                 Some((Some(body), self.work.add(position, offset)))
             }

@@ -30,7 +30,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// The point of action of a load; without `.at(..)`, G.
+    /// The point of action of a load; G without `.at(..)`.
     pub fn point_of_load(&mut self, written: &syntax::Load) -> Option<Point> {
         match &written.point {
             Some(None) => None,

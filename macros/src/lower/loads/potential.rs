@@ -1,8 +1,8 @@
-//! Potentials: scalars U whose forces and moments are derived.
+//! Potentials: scalars U from which forces and moments are derived.
 //!
 //! They are read with rotated vectors kept apart ([`crate::model::kinematics::turned_vector`]), and
-//! so are the locals in them. If the length of a vector with parts in both
-//! axes is taken, either part can be rotated: then there are two forms, and mechanics takes the
+//! so are the locals in them. If a potential takes the length of a vector with parts in body axes
+//! and in world axes, either part can be rotated. Then there are two forms, and mechanics takes the
 //! cheaper one.
 
 use crate::errors::{every, silently};
@@ -12,7 +12,7 @@ use crate::model::{Charges, Dimension, Displaced, Form, Frame, Potential, Potent
 use crate::symbolic::{Components, Id};
 use crate::syntax::{Description, Expression, Load};
 
-/// Words for quantities of the motion.
+/// Words for rates, on which potentials cannot depend.
 const RATES: [&str; 5] = [
     "velocity",
     "angular_velocity",
@@ -99,8 +99,8 @@ impl Lowering<'_> {
         Some((form, turns.met_mixed))
     }
 
-    /// The position of G, where it is a coordinate; otherwise a virtual displacement, which is
-    /// added to it.
+    /// The position of G, if it is a coordinate; otherwise a virtual displacement that is added to
+    /// it.
     fn displacement(&mut self) -> Components {
         if self.motion.translates() {
             return self.work.part(self.state.position, Frame::WORLD);
@@ -113,7 +113,7 @@ impl Lowering<'_> {
 
     /// Reads the locals again, with rotated vectors kept apart.
     pub fn locals_apart(&mut self, description: &Description) {
-        // cycles are reported already
+        // cycles are already reported
         let (order, _) = silently(|errors| definition_order(description, errors));
         for definition in order {
             let (Definition::Local(_), (name, Some(written))) =
@@ -128,14 +128,15 @@ impl Lowering<'_> {
         }
     }
 
-    /// All potentials of a description, as functions of the separate symbols.
+    /// All potentials of a description, as functions of the symbols that stand for the parts kept
+    /// apart.
     pub fn energies(&mut self, description: &Description, rates: &[Id]) -> Option<Vec<Id>> {
         let written = description.potentials.iter();
         every(written.map(|potential| self.potential(potential.value.as_ref(), rates)))
     }
 
-    /// A potential depends on the place and attitude of the body, on time, parameters
-    /// and inputs, but not on any of these `rates`.
+    /// A potential. It may depend on the place and the attitude of the body, on time, parameters
+    /// and inputs, but on none of these `rates`.
     fn potential(&mut self, written: Option<&Expression>, rates: &[Id]) -> Option<Id> {
         let written = written?;
         let energy = self.scalar(written, Dimension::MOMENT, "a potential")?;
@@ -151,7 +152,7 @@ impl Lowering<'_> {
         )
     }
 
-    /// The symbols of velocity and angular velocity, or of the rate of an axis.
+    /// The symbols of velocity and angular velocity; for a rod, of the rate of its axis.
     fn rates(&self) -> Vec<Id> {
         let mut all = self.work.entries(&[self.state.velocity]);
         all.extend(self.state.turn_rate());

@@ -1,5 +1,6 @@
 //! Loads with unknown components, `body(_, _, 0).at(P)` and `moment(body(_, _, 0))`, or along a
-//! given direction, `_ * direction`: reactions, and drives that inverse dynamics solves for.
+//! given direction, `_ * direction`. They are reactions, or drives that inverse dynamics solves
+//! for.
 
 use proc_macro2::Ident;
 
@@ -13,7 +14,7 @@ use crate::symbolic::{Components, Id, Stage};
 use crate::syntax::{self, Description, Expression, Kind, UnitExpression};
 
 impl Lowering<'_> {
-    /// A reaction with unknown components, with its index among them.
+    /// A reaction with unknown components; `index` is its index among the reactions.
     pub fn reaction(&mut self, index: usize, written: &syntax::Load) -> Option<Reaction> {
         let point = self.point_of_reaction(written);
         let reaction = self.open_load(written, point, |_, _| Some(()))?;
@@ -26,7 +27,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// A drive with unknown components. In the accelerations it is zero.
+    /// A drive with unknown components. For the accelerations, they are zero.
     pub fn drive(&mut self, written: &syntax::Load, is_asked_for: bool) -> Option<Reaction> {
         let value = written.vector.as_ref()?;
         let place = placeholders(value).next()?.1;
@@ -69,7 +70,7 @@ impl Lowering<'_> {
         let direction = self.work.entries(&[along.unwrap_or(Vector::ZERO)]);
         let parts = [&known[..], &direction].concat();
         self.check_no_acceleration(value, &parts, "a load with unknown components")?;
-        // in the plane the one component of a moment is about the normal
+        // in the plane, a moment has one component, about the normal
         let first = self.motion.axes_of(written.kind).start;
         let unknown = placeholders(value);
         Some(Reaction {
@@ -84,7 +85,8 @@ impl Lowering<'_> {
         })
     }
 
-    /// The point of action of a reaction, which rotates with the body if a support is solved for.
+    /// The point of action of a reaction. Unless there are constraints, it must be a point of the
+    /// body.
     fn point_of_reaction(&mut self, written: &syntax::Load) -> Option<Point> {
         let value = written.vector.as_ref()?;
         if written.kind == LoadKind::Force && !self.motion.knows_position() {
@@ -180,7 +182,8 @@ impl Lowering<'_> {
         Some(self.state.body)
     }
 
-    /// Under constraints, loads may depend on the unknown reactions, by their names: friction does.
+    /// Defines the names of unknown reactions: under constraints, loads such as friction may depend
+    /// on them.
     pub fn name_reactions(&mut self, description: &Description, reactions: &[Option<Reaction>]) {
         if !self.is_constrained {
             return;

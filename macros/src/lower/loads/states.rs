@@ -1,12 +1,13 @@
-//! User-defined states in constraints, which are differentiated with them.
+//! User-defined states in constraints, whose rates are differentiated with the constraints.
 
 use crate::errors::Errors;
 use crate::model::{Constraint, Level, Meaning, Own, Variable, Workspace};
 use crate::symbolic::Id;
 
-/// A constraint of positions is differentiated twice, and so the rate of a state in it is
-/// differentiated once. That of a held input is unknown, and that of a velocity is an acceleration.
-/// `derivatives` has the number of given derivatives of each input.
+/// A constraint of positions is differentiated twice. So the rate of a state in it is
+/// differentiated once, and reported if it depends on held inputs, whose rates are unknown, or on
+/// velocities, whose rates are accelerations. `derivatives` has the number of given derivatives of
+/// each input.
 pub fn check_states(
     work: &Workspace,
     constraints: &[Constraint],
@@ -26,14 +27,14 @@ pub fn check_states(
         });
         if let Some((place, obstacle)) = found.next() {
             errors.push(*place, obstacle);
-            // once for all components of a vector
+            // report it once for all components of a vector
             reported.push(&constraint.place);
         }
     }
     (errors.count() == before).then_some(())
 }
 
-/// What keeps the rate of a state from being differentiated.
+/// Why the rate of a state cannot be differentiated.
 fn obstacle(work: &Workspace, state: &Own, derivatives: &[usize]) -> Option<String> {
     use Variable::{AngularVelocity, AxisRate, Velocity};
     let Own { name, rate, .. } = state;

@@ -1,7 +1,7 @@
 //! Uniform fields on charges: `world(..)[V / m].on([q1.at(p1), q2.at(p2)])`, (34.7) to (34.9).
 //!
-//! Its potential is `U = -E . (R sum e + p)` with `p = sum e r`: the force E sum e and the moment
-//! p x E follow from it, with both sums folded; a net charge of zero is no special case.
+//! The potential is `U = -E . (R sum e + p)` with `p = sum e r`. The force E sum e and the moment p
+//! x E follow from it, each with its sum folded. A net charge of zero is no special case.
 
 use crate::errors::{Extent, every};
 use crate::lower::expressions::{Lowering, Value, dimension};
@@ -9,7 +9,7 @@ use crate::model::{Charges, Dimension, Frame, Vector};
 use crate::symbolic::{Components, Graph, Id};
 use crate::syntax::{Charge, Expression, Load};
 
-/// Names of quantities that change with the state.
+/// Names of quantities that change with the state, on which a uniform field cannot depend.
 const STATE: [&str; 8] = [
     "position",
     "velocity",
@@ -22,7 +22,7 @@ const STATE: [&str; 8] = [
 ];
 
 impl Lowering<'_> {
-    /// The energy of the charges in the field, and the sums in it.
+    /// The energy of the charges in the field, and the sums over the charges.
     pub fn uniform_field(&mut self, written: &Load) -> Option<(Id, Charges)> {
         let name = written.name.to_string();
         let field = written
@@ -60,7 +60,7 @@ impl Lowering<'_> {
         Some((energy, Charges { count, net, dipole }))
     }
 
-    /// A uniform vector, and its dimension.
+    /// The uniform vector of a field, and its dimension.
     fn field_strength(&mut self, written: &Expression) -> Option<(Vector, Dimension)> {
         let value = self.value(written)?;
         let (Some(vector), Some(dimension)) = (self.as_vector(value), dimension(value)) else {
@@ -116,7 +116,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// It may depend on time, parameters and inputs.
+    /// Reports a field that depends on the state. It may depend on time, parameters and inputs.
     fn check_same_everywhere(
         &mut self,
         written: &Expression,

@@ -1,10 +1,10 @@
 //! Quantities that depend on the motion of bodies, read with each body displaced separately.
 //!
 //! An expression of places and axes of bodies, and of their rates, acts on these bodies; an
-//! expression of joint coordinates acts along them. So a position is read as the place of its
-//! joint, which is held fixed, plus a displacement; the axes of a body as rotated directly relative
-//! to the world, whatever carries it; and its velocity, and the coordinates of driven joints, as
-//! separate symbols.
+//! expression of joint coordinates acts along them. So when such an expression is read, a position
+//! is the place of its joint, which is held fixed, plus a displacement. The axes of a body are
+//! rotated directly relative to the world, whatever carries it. Its velocity, and the coordinates
+//! of driven joints, are separate symbols.
 
 use std::collections::HashSet;
 
@@ -20,7 +20,7 @@ use super::reading::body::Draft;
 use super::reading::names::for_copy;
 use super::reading::reader::Reader;
 
-/// The replacements of moving bodies and joints.
+/// What replaces the motion of bodies and joints.
 #[derive(Default)]
 struct Apart {
     bodies: Vec<Displaced>,
@@ -29,7 +29,7 @@ struct Apart {
 }
 
 impl Reader<'_> {
-    /// Reads scalars with each body apart. `read` gets the symbols of all rates.
+    /// Reads scalars with each body displaced separately. `read` gets the symbols of all rates.
     pub fn apart(
         &mut self,
         drafts: &mut [Draft<'_>],
@@ -50,7 +50,7 @@ impl Reader<'_> {
             .collect();
         let bodies = apart.bodies.iter().map(|displaced| displaced.body);
         self.work.turns = Some(Turns::of_bodies(self.motion.axes(), bodies));
-        // errors in these are reported already
+        // errors in these points are already reported
         silently(|errors| self.late_points(drafts, errors));
         let values = read(self, drafts, &rates);
         let turns = self.work.turns.take()?;
@@ -76,7 +76,7 @@ impl Reader<'_> {
         Some(form)
     }
 
-    /// Reads scalars next to the bodies, and of each of them, with their locals apart.
+    /// Reads scalars written outside the bodies and inside each of them, with their locals apart.
     pub fn each_apart(
         &mut self,
         drafts: &mut [Draft<'_>],
@@ -103,7 +103,7 @@ impl Reader<'_> {
         Some(every(all)?.concat())
     }
 
-    /// The meanings of velocity symbols, if the expressions contain any.
+    /// Adds the meanings of velocity symbols, if the expressions contain any.
     fn tell_rates(&mut self, form: &mut Form, drafts: &[Draft<'_>], joints: &[TreeJoint]) {
         let turned = form.turns.iter().flat_map(|turn| turn.vector);
         let roots: Vec<Id> = form.values.iter().copied().chain(turned).collect();
@@ -134,8 +134,8 @@ impl Reader<'_> {
         self.work.add(state.velocity, swept)
     }
 
-    /// Gives each body a separate place and velocity, and axes rotated relative to those of
-    /// the world.
+    /// Gives each body a separate place and velocity, and axes that are rotated relative to the
+    /// world.
     fn displace(&mut self, drafts: &mut [Draft<'_>], joints: &[TreeJoint]) -> Apart {
         let copies = self.work.copied_frames();
         let mut apart = Apart::default();
@@ -198,7 +198,8 @@ impl Reader<'_> {
 
     /// The coordinates of joints, each with the symbol that replaces it.
     fn held_coordinates(&mut self, joints: &[TreeJoint]) -> Vec<(Id, Id)> {
-        // a prescribed coordinate is a function of time, or a number that occurs elsewhere too
+        // a prescribed coordinate is not a symbol: it is a function of time, or a number that may
+        // also occur elsewhere
         let open = joints.iter().filter(|joint| !joint.is_driven());
         let places = open.flat_map(|joint| &joint.coordinates.0);
         let places =
@@ -208,7 +209,7 @@ impl Reader<'_> {
             .collect()
     }
 
-    /// Registers the new motion of a body; returns the symbol of its angle, in the plane.
+    /// Registers the new motion of a body. In the plane, returns the symbol of its angle.
     fn told_apart(
         &mut self,
         joint: &TreeJoint,
@@ -256,7 +257,8 @@ impl Reader<'_> {
         angle
     }
 
-    /// The coordinates of a joint between bodies, those of a driven one by separate symbols.
+    /// Replaces the coordinates of a joint between bodies; those of a driven joint by separate
+    /// symbols.
     fn coordinates_apart(&mut self, number: usize, joint: &TreeJoint, apart: &mut Apart) {
         if joint.kind.is_free() {
             return;

@@ -1,4 +1,4 @@
-//! Arguments of outputs: some of the joints, and points of bodies.
+//! Arguments of outputs: selected joints, and points of bodies.
 
 use proc_macro2::Ident;
 
@@ -14,7 +14,7 @@ use super::outline::name_of_point;
 use super::reading::reader::Reader;
 
 impl Reader<'_> {
-    /// The claims about a system, including the loads of joints.
+    /// The claims about a system, which may use the loads of joints.
     pub fn checks(&mut self, holding: &[Ident], errors: &mut Errors) -> Option<Checks> {
         let top = &self.system.top;
         let held = if top.checks.is_empty() {
@@ -27,7 +27,7 @@ impl Reader<'_> {
         Some(Checks { held, ..checks })
     }
 
-    /// New symbols for force and moment of a joint, as its `.force` and `.moment`.
+    /// New symbols for the force and the moment of a joint, defined as its `.force` and `.moment`.
     fn carried(&mut self, joint: &Ident) -> (Ident, [Components; 2]) {
         let is_planar = self.system.is_planar;
         let work = &mut self.work;
@@ -51,7 +51,8 @@ impl Reader<'_> {
         (joint.clone(), [force, moment])
     }
 
-    /// Checks that the names after `reactions` are joints that hold something, or are among `kept`.
+    /// Checks that the names in `reactions(..)` are joints that transmit loads, or are among
+    /// `kept`.
     pub fn check_held(&self, joints: &[Option<ReadJoint>], kept: &[Ident], errors: &mut Errors) {
         let held = self.system.held.iter().flatten();
         let mut seen: Vec<&Ident> = Vec::new();
@@ -88,7 +89,7 @@ impl Reader<'_> {
         bodies.position(|body| *name == body.name.as_str())
     }
 
-    /// The points after `jacobian`: the body of each, and the offset there.
+    /// The points in `jacobian(..)`: for each, its body and its offset there.
     pub fn asked_points(&mut self, errors: &mut Errors) -> Option<Vec<(usize, Components)>> {
         let system = self.system;
         let (mut seen, mut found): (Vec<(Ident, &Expression)>, _) = (Vec::new(), Some(Vec::new()));
@@ -122,7 +123,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether the field of this name belongs to a point of another body.
+/// Whether another point already has the field of this name.
 fn is_another(seen: &[(Ident, &Expression)], name: &Ident, written: &Expression) -> bool {
     let mut seen = seen.iter();
     let first = seen.find(|(other, _)| other == name);

@@ -1,11 +1,11 @@
-//! Methods that follow a load: `.on(joint)`, `.between(P, Q)`.
+//! Methods after a load: `.on(joint)`, `.between(P, Q)`.
 
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
 use crate::syntax::{Expression, Kind};
 
-/// `value.method(arguments)`
+/// The receiver and the arguments of `value.method(arguments)`.
 pub fn behind<'e>(
     value: &'e Expression,
     method: &str,
@@ -16,7 +16,7 @@ pub fn behind<'e>(
     }
 }
 
-/// The method that applies to the last operand only: `on` in `-x.on(joint)`, which means
+/// A method that applies only to the last operand, such as `on` in `-x.on(joint)`, which means
 /// `-(x.on(joint))`.
 pub fn behind_operand<'e>(value: &'e Expression, methods: &[&str]) -> Option<&'e Ident> {
     let last = match &value.kind {
@@ -30,7 +30,7 @@ pub fn behind_operand<'e>(value: &'e Expression, methods: &[&str]) -> Option<&'e
     }
 }
 
-/// Reports it: such a method applies to the whole load.
+/// Reports such a method: it must apply to the whole load.
 pub fn report_operand<T>(word: &Ident, errors: &mut Errors) -> Option<T> {
     let message = format!(
         "`.{word}(..)` applies to the last operand only: put the whole load in parentheses, `(..).{word}(..)`"

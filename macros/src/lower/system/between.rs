@@ -47,7 +47,8 @@ impl Reader<'_> {
         is_sound.then_some(between)
     }
 
-    /// `tension.between(P, Q)`: along the line PQ, positive if it pulls them together.
+    /// `tension.between(P, Q)`: a force along the line PQ, positive if it pulls the points
+    /// together.
     fn tension(&mut self, load: &Definition, errors: &mut Errors) -> Option<Loads> {
         let value = load.value.as_ref()?;
         if let Some(word) = behind_operand(value, &["between"]) {
@@ -73,8 +74,8 @@ impl Reader<'_> {
         Some(self.pulls(load, ends, line, share))
     }
 
-    /// `cable(P, Q, length, stiffness)`: a force if the line is longer than the cable, otherwise
-    /// zero, however short the line is; and its energy.
+    /// `cable(P, Q, length, stiffness)`: the force, and its energy. The force is zero unless the
+    /// line is longer than the cable, however short the line is.
     fn cable(&mut self, cable: &Definition, into: &mut Between, errors: &mut Errors) -> Option<()> {
         let value = cable.value.as_ref()?;
         let ((word, arguments), methods) = call(value)?;
@@ -125,7 +126,7 @@ impl Reader<'_> {
         Some(())
     }
 
-    /// Two points of different bodies, or of a body and the ground, and the line between them,
+    /// Two points of different bodies, or of a body and the ground, and the line between them in
     /// world axes.
     fn ends(
         &mut self,
@@ -151,7 +152,7 @@ impl Reader<'_> {
         Some(([start, end], line))
     }
 
-    /// The place of a point; none if the motion of its body is unknown.
+    /// The place of a point; `None` if the motion of its body is unknown.
     fn place(&mut self, (body, offset): End) -> Option<Vector> {
         let Some(body) = body else {
             return Some(self.work.vector(Frame::WORLD, offset));
@@ -162,7 +163,7 @@ impl Reader<'_> {
         Some(self.work.add(position, offset))
     }
 
-    /// A load along the line on its first end, and the opposite on the other.
+    /// A load along the line on its first end, and the opposite load on the other end.
     fn pulls(
         &mut self,
         load: &Definition,
@@ -186,8 +187,8 @@ impl Reader<'_> {
         loads
     }
 
-    /// `moment(v).on(body)` and `moment(v).between(first, second)`, which acts on the second, and
-    /// on the first with the opposite sign.
+    /// `moment(v).on(body)` and `moment(v).between(first, second)`. The latter acts on the second
+    /// body, and with the opposite sign on the first.
     fn couple(&mut self, load: &Definition, errors: &mut Errors) -> Option<Loads> {
         let value = load.value.as_ref()?;
         if let Some(word) = behind_operand(value, &["on", "between"]) {
@@ -270,7 +271,7 @@ impl Reader<'_> {
     }
 }
 
-/// A moment, in the plane a scalar.
+/// A moment; in the plane, a scalar.
 pub fn read_moment(
     lowering: &mut Lowering<'_>,
     written: &Expression,
@@ -286,7 +287,7 @@ pub fn read_moment(
     Some(lowering.work.vector(Frame::WORLD, components))
 }
 
-/// A given load of this name.
+/// A given load with the name of this definition.
 pub fn given(written: &Definition, force: Vector, point: Point, moment: Vector) -> Load {
     Load {
         name: written.name.clone(),

@@ -7,7 +7,7 @@ use super::reading::body::Draft;
 use super::reading::reader::Reader;
 
 impl Reader<'_> {
-    /// Reads the constraints next to the bodies; loads may depend on their forces.
+    /// Reads the constraints written outside the bodies; loads may depend on their forces.
     pub fn top_constraints(&mut self, inputs: &[Declared], errors: &mut Errors) {
         let top = &self.system.top;
         let first = self.first_load;
@@ -15,7 +15,7 @@ impl Reader<'_> {
         self.keep(found, None);
     }
 
-    /// Adds to the constraints their form as functions of each body separately.
+    /// Adds to the constraints their form as functions of separately displaced bodies.
     pub fn constraints_apart(
         &mut self,
         drafts: &mut [Draft<'_>],

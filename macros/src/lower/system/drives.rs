@@ -11,7 +11,7 @@ use super::behind::{behind, behind_operand, report_operand};
 use super::between::{given, read_moment};
 use super::reading::reader::Reader;
 
-/// `elbow`, or `gimbal.angle_1`: the joint, and its coordinate.
+/// The joint and the coordinate in `elbow` or `gimbal.angle_1`.
 fn joint_and_coordinate(target: &Expression) -> Option<(&Ident, Option<&Ident>)> {
     match &target.kind {
         Kind::Name(name) => Some((name, None)),
@@ -23,7 +23,7 @@ fn joint_and_coordinate(target: &Expression) -> Option<(&Ident, Option<&Ident>)>
     }
 }
 
-/// The same; anything else is reported.
+/// The same; anything that is neither is reported.
 fn joint_named<'e>(
     target: &'e Expression,
     errors: &mut Errors,
@@ -38,7 +38,7 @@ fn joint_named<'e>(
     )
 }
 
-/// The coordinates of a joint on which drives act, by their words, with the fields of its state.
+/// The coordinates of a joint on which drives can act: their words, and the fields of the state.
 fn coordinates(kind: &JointKind) -> Vec<(&'static str, &'static Field)> {
     let fields = kind.shape.into_iter().flat_map(|shape| shape.fields);
     let fields = fields.filter(|field| {
@@ -52,8 +52,8 @@ fn coordinates(kind: &JointKind) -> Vec<(&'static str, &'static Field)> {
     named.collect()
 }
 
-/// The open drive that is written, and the number of its components: those of the rate of the
-/// coordinate, as far as the joint is known.
+/// The drive, if it is open, and the number of its components: as many as the rate of its
+/// coordinate has, if the joint is known.
 pub fn open_drive(
     drive: &Definition,
     kind_of: impl Fn(&Ident) -> Option<&'static JointKind>,
@@ -75,8 +75,8 @@ pub fn open_drive(
     Some((&drive.name, count))
 }
 
-/// What drives along these freedoms act on: `orbit.position`, `orbit.attitude`; the name alone of a
-/// joint with one coordinate.
+/// What drives along these freedoms act on: `orbit.position`, `orbit.attitude`. For a joint with
+/// one coordinate, its name alone.
 pub fn targets(joint: &TreeJoint, freedoms: &[usize], is_planar: bool) -> Vec<String> {
     let (name, all) = (&joint.name, joint.kind.freedoms(is_planar));
     let known = coordinates(joint.kind);
@@ -90,13 +90,13 @@ pub fn targets(joint: &TreeJoint, freedoms: &[usize], is_planar: bool) -> Vec<St
     with.map(|(word, _)| format!("{name}.{word}")).collect()
 }
 
-/// The freedoms of a coordinate.
+/// The freedoms along a coordinate.
 fn along(field: &Field, all: &[(Variable, usize)]) -> Vec<usize> {
     let rate = match field.variable {
         Variable::Position => Variable::Velocity,
         _ => Variable::AngularVelocity,
     };
-    // a quaternion has one component more than its rate
+    // a quaternion has one component more than its rate, but a freedom exists only for the rate
     let of_field = field.first..field.first + field.names.len();
     let chosen = (0..all.len()).filter(|freedom| {
         let (variable, part) = all[*freedom];
@@ -105,7 +105,7 @@ fn along(field: &Field, all: &[(Variable, usize)]) -> Vec<usize> {
     chosen.collect()
 }
 
-/// Reports a joint on which no drive acts.
+/// Reports a joint on which no drive can act.
 fn check_drivable(
     joint: &TreeJoint,
     all: &[(Variable, usize)],
@@ -161,11 +161,12 @@ fn chosen(
     Some(along(field, all))
 }
 
-/// What drives do: to the joints, and to bodies that are free.
+/// What drives act on: joints, and bodies that are free.
 type Driven = (Vec<TreeJoint>, Vec<(usize, Load)>);
 
 impl Reader<'_> {
-    /// Adds the drives to the joints. No joint transmits those of a free body: they are loads on it.
+    /// Adds the drives to the joints. The drives of a free body are loads on it, since no joint
+    /// transmits them.
     pub fn drives(&mut self, joints: Vec<TreeJoint>, errors: &mut Errors) -> Option<Driven> {
         let (mut driven, mut is_sound) = ((joints, Vec::new()), true);
         for drive in &self.system.drives {
@@ -229,7 +230,8 @@ impl Reader<'_> {
         Some(())
     }
 
-    /// The components of a drive along coordinates of one sort; several form a vector.
+    /// The components of a drive along coordinates of the same kind. Several components form a
+    /// vector.
     fn load_along(
         &mut self,
         load: &Expression,
@@ -288,7 +290,7 @@ impl Reader<'_> {
         Some((body, given(drive, force, center, moment)))
     }
 
-    /// Whether a drive names a joint that is known; `None` if that is reported.
+    /// Whether a drive names a known joint; `None` if an error in the joint is reported.
     fn check_joint(&self, name: &Ident, errors: &mut Errors) -> Option<()> {
         let mut joints = self.members.joints.iter();
         if let Some(known) = joints.find(|joint| *name == joint.name.as_str()) {
@@ -314,7 +316,7 @@ impl Reader<'_> {
         errors.report(name.span(), message)
     }
 
-    /// Leaves the loads along a coordinate open, for inverse dynamics.
+    /// Leaves the load along a coordinate unknown, for inverse dynamics.
     fn open(
         &self,
         drive: &Definition,

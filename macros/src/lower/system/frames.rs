@@ -3,8 +3,8 @@
 use crate::errors::Errors;
 use crate::model::{Member, TreeJoint, Workspace};
 
-/// A body that moves by itself must carry mass. Each joint has the index of its carried body, and
-/// comes after its carrier.
+/// Checks that a body that moves by itself carries mass. Each joint has the index of the body that
+/// it carries, and comes after the joint of its carrier.
 pub fn check_frames(
     work: &Workspace,
     bodies: &[Member],

@@ -95,7 +95,7 @@ pub fn lower_system(
     errors.is_empty().then_some((system, work))
 }
 
-/// Checks masses and inertias that change.
+/// Checks outputs against masses and inertias that change.
 fn check_substances<'b>(
     work: &Workspace,
     bodies: impl Iterator<Item = &'b Member>,
@@ -106,14 +106,14 @@ fn check_substances<'b>(
     check_changing(work, &made_of, outline, errors);
 }
 
-/// Checks a system without mistakes: massless bodies, and systems in which nothing moves.
+/// Checks a system without other errors: massless bodies, and systems in which nothing moves.
 fn check_motion(
     outline: &Outline,
     work: &Workspace,
     (bodies, joints): (&[Member], &[TreeJoint]),
     errors: &mut Errors,
 ) {
-    // a file may have reported the same
+    // the check of a file may have reported the same
     if errors.is_empty() {
         frames::check_frames(work, bodies, joints, errors);
     }
@@ -139,14 +139,14 @@ fn check_still(outline: &Outline, errors: &mut Errors) {
     }
 }
 
-/// The name of the load of a constraint.
+/// The name of the load that keeps a constraint.
 fn load_of(constraint: &Constraint) -> Ident {
     let name = constraint.name.replace('.', "_");
     Ident::new(&name, constraint.place.span())
 }
 
-/// The frames of the bodies that joints carry, which identify their states; and the moving joints,
-/// by index, in the order of the state.
+/// Records the frames of the bodies that joints carry, which identify their states. Returns the
+/// indices of the moving joints, in the order of the state.
 fn tell_frames(outline: &mut Outline, joints: &[TreeJoint]) -> Vec<usize> {
     let mut written = Vec::new();
     for known in &mut outline.joints {
@@ -158,7 +158,8 @@ fn tell_frames(outline: &mut Outline, joints: &[TreeJoint]) -> Vec<usize> {
     written
 }
 
-/// Each body with the joint that carries it, after its carrier; points go with their bodies.
+/// Each body with the joint that carries it, sorted so that carriers come first. Requested points
+/// are renumbered with their bodies.
 fn carriers_first(
     bodies: Vec<Member>,
     joints: &mut [TreeJoint],
@@ -182,8 +183,8 @@ fn carriers_first(
 }
 
 impl<'a> Reader<'a> {
-    /// Reads the joints, which give each body its motion: those of the tree, and those that close
-    /// loops.
+    /// Reads the joints, which give each body its motion. Returns those of the tree and those that
+    /// close loops.
     fn tree_and_loops(
         &mut self,
         drafts: &mut [Draft<'a>],
@@ -199,7 +200,7 @@ impl<'a> Reader<'a> {
         (joints, closings)
     }
 
-    /// All bodies, with their points; those with errors become `wrong`.
+    /// All bodies, with their points. Bodies with errors are added to `wrong`.
     fn drafts(&mut self, wrong: &mut HashSet<usize>, errors: &mut Errors) -> Vec<Draft<'a>> {
         let system = self.system;
         let bodies = system.bodies.iter().enumerate();
@@ -219,7 +220,8 @@ impl<'a> Reader<'a> {
         unused
     }
 
-    /// The points and locals of bodies that nothing refers to, for copies those that no copy uses.
+    /// The points and locals of bodies that nothing refers to. Those of copied bodies count as used
+    /// if any copy uses them.
     fn unused_of_bodies(&self, drafts: &[Draft<'_>]) -> Vec<Ident> {
         let used = self.members.used.borrow();
         let is_used = |number: usize, name: &Ident| {

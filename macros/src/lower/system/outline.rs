@@ -1,4 +1,4 @@
-//! The facts about a system that are known even if it has errors.
+//! What is known of a system even if it has errors.
 
 use std::collections::HashSet;
 
@@ -13,7 +13,7 @@ use super::drives::open_drive;
 use super::joints::driven::coordinates;
 use super::joints::joint::{first_name_of, kind_of};
 
-/// The moving joints are the fields of its state.
+/// Completes the outline. The moving joints become the fields of the state.
 pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
     outline.is_system = true;
     outline.held.clone_from(&system.held);
@@ -63,7 +63,7 @@ pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
     outline.open = open.map(|(name, count)| (name.clone(), count)).collect();
 }
 
-/// The possible names of the loads of all written constraints, scalars and vectors.
+/// The names that the loads of all written constraints may have, as scalars or as vectors.
 fn loads_of_constraints(system: &syntax::System) -> Vec<Ident> {
     let of_bodies = system.bodies.iter().flat_map(|body| {
         let written = body.constraints.iter();
@@ -84,8 +84,8 @@ fn is_driven(joint: &Definition) -> bool {
     call.is_some_and(|(_, methods)| methods.iter().any(|(method, _)| *method == "driven"))
 }
 
-/// The body that a joint carries; for a joint to the ground with exchanged ends, the
-/// one that it would carry.
+/// The body that a joint carries. If the ends of a joint to the ground are exchanged, the body that
+/// was meant.
 fn name_of_carried(joint: &Definition, kind: &JointKind) -> Option<String> {
     let ((_, arguments), _) = joint.value.as_ref().and_then(call)?;
     let written = arguments.get(usize::from(kind.holds == Holds::Points))?;
@@ -93,7 +93,7 @@ fn name_of_carried(joint: &Definition, kind: &JointKind) -> Option<String> {
     named.map(ToString::to_string)
 }
 
-/// `crank_drive`, for a joint of several coordinates `gimbal_drive_angle_1`.
+/// `crank_drive`; for a joint of several coordinates, `gimbal_drive_angle_1`.
 fn drives_of(joint: &Ident, kind: &JointKind) -> Vec<(Ident, Ident)> {
     let names: Vec<&str> = coordinates(kind)
         .into_iter()
@@ -110,7 +110,7 @@ fn drives_of(joint: &Ident, kind: &JointKind) -> Vec<(Ident, Ident)> {
     drives.collect()
 }
 
-/// `arm_tip`
+/// The name `arm_tip` of the point `arm.tip`.
 pub fn name_of_point(written: &Expression) -> Option<Ident> {
     let Kind::Field(body, point) = &written.kind else {
         return None;
@@ -121,7 +121,7 @@ pub fn name_of_point(written: &Expression) -> Option<Ident> {
     Some(format_ident!("{body}_{point}", span = point.span()))
 }
 
-/// The kind of a joint, or the possible kind of an unreadable one.
+/// The kind of a joint; if it is unreadable, a likely kind.
 fn likely_kind(joint: &Definition, is_planar: bool) -> Option<&'static JointKind> {
     let kinds = JointKind::all(is_planar);
     let Some(value) = &joint.value else {

@@ -13,7 +13,7 @@ use super::reading::reader::Reader;
 /// A property of a link or a cable.
 #[derive(Clone, Copy)]
 pub struct Sort {
-    /// The word for it, and for its owner.
+    /// The word for it, and what it is a property of.
     pub word: &'static str,
     pub of: &'static str,
     pub dimension: Dimension,
@@ -66,7 +66,7 @@ impl Reader<'_> {
         Some((ties, every(lengths)?))
     }
 
-    /// The body of a point; none for the ground.
+    /// The body of a point; `None` for the ground.
     fn body_of(&self, end: &Expression) -> Option<Ident> {
         let mut bodies = self.system.bodies.iter().map(|body| &body.name);
         first_name_of(end)
@@ -74,7 +74,7 @@ impl Reader<'_> {
             .cloned()
     }
 
-    /// A property of a link or a cable, which must be valid for the defaults of parameters.
+    /// A property of a link or a cable. It must be valid for the defaults of parameters.
     pub fn property(
         &mut self,
         tie: &Definition,

@@ -1,17 +1,17 @@
 //! Axes that do not spin with a symmetric body, for its series (EQUATIONS 5(e)).
 //!
-//! If the axes of a body may be rotated about e, and its spin `s = e . w` is constant, the motion
-//! in axes that rotate relative to the body at `-sigma` about e, with the components of the whole
-//! angular velocity in them, is
+//! Suppose that the axes of a body may be rotated about e, and that its spin `s = e . w` is
+//! constant. In axes that rotate relative to the body at `-sigma` about e, with the components of
+//! the whole angular velocity in these axes, the motion is
 //!
 //! ```text
 //! q' = q (0, w - sigma e) / 2      w' = alpha(q, w) + sigma e x w
 //! ```
 //!
 //! Any sigma is correct. In axes without spin, `sigma = s`, the angular velocity of a free body
-//! rotates at `beta = s J_e / J_t`, with the moments along e and across; in those with `sigma = s -
-//! beta` it is constant, and the attitude rotates faster. Halfway the steps are longest, or nearly
-//! so, for tops that are flat or slender, fast or slow:
+//! rotates at `beta = s J_e / J_t`, where `J_e` and `J_t` are the moments along e and across it. In
+//! axes with `sigma = s - beta`, it is constant, but the attitude rotates faster. Halfway between
+//! the two, steps are longest, or nearly so, for tops that are flat or slender, fast or slow:
 //!
 //! ```text
 //! sigma = s - beta / 2 = s (1 - J_e / (tr J - J_e))
@@ -25,9 +25,9 @@ use crate::symbolic::{Components, Id, Number};
 /// Axes in which a motion is slower than in body axes.
 #[derive(Debug)]
 pub struct Axes {
-    /// e, a unit vector.
+    /// The unit vector e.
     pub direction: [Number; 3],
-    /// sigma, the rate at which the body rotates relative to them about e.
+    /// sigma: the rate at which the body rotates about e relative to these axes.
     pub spin: Id,
     /// Their angular velocity: `w - sigma e`.
     pub rate: Components,
@@ -43,7 +43,7 @@ pub fn derive_axes(model: &Model, work: &mut Workspace, structure: &Structure) -
         return None;
     };
     let graph = &mut work.graph;
-    // the spin of the axes is constant, as the moments are
+    // the spin of these axes is constant only if the moments of inertia are
     if !graph.are_early(rows.as_flattened()) {
         return None;
     }
@@ -74,7 +74,8 @@ pub fn derive_axes(model: &Model, work: &mut Workspace, structure: &Structure) -
 }
 
 impl Axes {
-    /// The rate of w in them: `alpha + sigma e x w`, without the part that vanishes along e.
+    /// The rate of w in these axes: `alpha + sigma e x w`, without the part along e, which
+    /// vanishes.
     pub fn acceleration(
         &self,
         model: &Model,

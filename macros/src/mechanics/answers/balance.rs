@@ -8,15 +8,15 @@ use crate::symbolic::{Components, Id};
 
 /// The expressions of `outputs: [balance]` of one body, in world axes.
 pub struct Balance {
-    /// Given loads, in systems with the weight; moment about G.
+    /// The given loads, and in systems the weight; the moment is about G.
     pub applied: Resultant,
-    /// (1.3) and (1.4) about the pole, in systems about G and with the loads of all joints: zero on
-    /// an actual motion.
+    /// The residuals of (1.3) and (1.4), which are zero on an actual motion. Moments are about the
+    /// pole; in systems they are about G, and the loads of all joints are included.
     pub residual: Resultant,
     pub loads: Vec<LoadExpressions>,
 }
 
-/// A resultant force and moment, world axes.
+/// A resultant force and moment, in world axes.
 pub struct Resultant {
     pub force: Components,
     pub moment: Components,
@@ -31,7 +31,7 @@ impl Balance {
         resultants.chain(loads).flatten().collect()
     }
 
-    /// Substitutes the solutions into the given loads that depend on them.
+    /// Substitutes solutions into the given loads that depend on them.
     pub fn put_solved(&mut self, work: &mut Workspace, values: &[(Id, Id)]) {
         let own = [&mut self.applied.force, &mut self.applied.moment];
         let listed = self.loads.iter_mut();
@@ -42,18 +42,18 @@ impl Balance {
     }
 }
 
-/// One load, world axes.
+/// One load, in world axes.
 pub struct LoadExpressions {
     pub name: String,
     pub family: Family,
     pub force: Components,
-    /// The point of action; from G if the motion of G is not modelled.
+    /// The point of action; measured from G if the motion of G is not modelled.
     pub point: Components,
     pub moment: Components,
 }
 
 impl LoadExpressions {
-    /// For a load at this point, with this moment.
+    /// The expressions of a load at this point, with this moment.
     pub fn new(
         state: &State,
         work: &mut Workspace,
@@ -71,7 +71,7 @@ impl LoadExpressions {
     }
 }
 
-/// Under constraints, loads may depend on reactions: `solved` has their values.
+/// Under constraints, loads may depend on reactions, whose values are `solved`.
 pub fn derive_balance(model: &Model, work: &mut Workspace, solved: &[Components]) -> Balance {
     let force = resultant(work, &model.loads);
     let center = model.state.mass_center(work);
@@ -79,7 +79,7 @@ pub fn derive_balance(model: &Model, work: &mut Workspace, solved: &[Components]
     let moment = work.sum(moments);
     let applied = in_world(work, force, moment);
 
-    // a load that depends on an acceleration uses the given one
+    // a load that depends on an acceleration uses the one that is given
     let given = as_given(model, work);
     let (force, moment) = match &given {
         Some(given) => {
@@ -130,7 +130,7 @@ fn in_world(work: &mut Workspace, force: Vector, moment: Vector) -> Resultant {
     Resultant { force, moment }
 }
 
-/// The given loads together with the given reactions; moment about G.
+/// The sum of the given loads and the given reactions; the moment is about G.
 fn with_reactions(
     model: &Model,
     work: &mut Workspace,
@@ -184,7 +184,7 @@ fn inertial_moment(model: &Model, work: &mut Workspace) -> Vector {
     work.vector(model.state.axes, moment)
 }
 
-/// Loads spread over the body are listed at G.
+/// The given loads, one by one. Loads that act all over the body are listed at G.
 fn list_loads(model: &Model, work: &mut Workspace) -> Vec<LoadExpressions> {
     let center = model.state.mass_center(work);
     let about_center = moments_about(&model.state, work, &model.loads, center);

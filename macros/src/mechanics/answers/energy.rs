@@ -8,7 +8,7 @@ use crate::symbolic::{Id, Number};
 pub struct Energy {
     /// `(m v^2 + w . J w) / 2`
     pub kinetic: Id,
-    /// All potentials, and `-F . x` for every uniform field, with `x` its point of action.
+    /// All potentials, and `-F . x` for every uniform field, where `x` is its point of action.
     pub potential: Id,
 }
 
@@ -19,7 +19,7 @@ pub fn derive_energy(model: &Model, work: &mut Workspace) -> Energy {
     }
 }
 
-/// For a body with a support, `w . J_P w / 2` about the held point.
+/// The kinetic energy; for a body with a support, `w . J_P w / 2` about the held point.
 fn kinetic(model: &Model, work: &mut Workspace) -> Id {
     let twice = twice_kinetic(model, work);
     let graph = &mut work.graph;
@@ -44,8 +44,8 @@ pub fn potential(model: &Model, work: &mut Workspace) -> Id {
     potential
 }
 
-/// `F . x` for a uniform field, with `x` its point of action; if the motion of G is not modelled,
-/// positions are relative to G.
+/// `F . x` for a uniform field, where `x` is its point of action. If the motion of G is not
+/// modelled, positions are relative to G.
 pub fn done_by_field(
     work: &mut Workspace,
     state: &State,

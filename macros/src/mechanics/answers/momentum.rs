@@ -6,7 +6,7 @@ use crate::symbolic::Components;
 
 use super::balance::from_pole;
 
-/// The expressions of `outputs: [momentum]`, of absolute velocities, in world axes.
+/// The expressions of `outputs: [momentum]`, from absolute velocities, in world axes.
 pub struct Momentum {
     /// `P = m v`
     pub linear: Components,

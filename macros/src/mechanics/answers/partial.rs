@@ -1,6 +1,6 @@
 //! Loads that may have no value: those that read values given at each evaluation, those that divide
-//! by quantities of the motion, and those with a function that is undefined for some numbers, or
-//! quickly out of range.
+//! by quantities of the motion, and those with a function that is undefined for some numbers or
+//! whose value quickly leaves the range of doubles.
 
 use crate::model::{Load, Meaning, Model, Own, Workspace};
 use crate::symbolic::{Function, Graph, Id, Node};
@@ -12,14 +12,14 @@ pub struct Partial {
     pub parts: Vec<Id>,
 }
 
-/// A load by its name and all of its components.
+/// The name of a load and all of its components.
 pub fn parts(load: &Load, work: &Workspace) -> (String, Vec<Id>) {
     let mut parts = work.entries(&[load.force, load.moment]);
     parts.extend(load.pull.into_iter().flatten());
     (load.name.to_string(), parts)
 }
 
-/// All loads of a body and rates of its user-defined states by name, with their components.
+/// All loads of a body and the rates of its user-defined states, by name, with their components.
 pub fn loads(model: &Model, work: &Workspace) -> Vec<(String, Vec<Id>)> {
     let loads = model.loads.iter().map(|load| parts(load, work));
     let rates = model.states.iter().map(Own::named_rate);
@@ -40,7 +40,7 @@ pub fn list_partial(
     loads.filter(|load| is_partial(work, &load.parts)).collect()
 }
 
-/// Whether numbers made from given values alone may have no value.
+/// Whether expressions may have no value and depend on nothing that is solved for.
 fn is_partial(work: &Workspace, parts: &[Id]) -> bool {
     let graph = &work.graph;
     let (mut may_fail, mut is_given) = (false, true);
@@ -48,7 +48,7 @@ fn is_partial(work: &Workspace, parts: &[Id]) -> bool {
         match graph.node(id) {
             Node::Symbol(symbol) => match work.meanings.of(*symbol) {
                 Meaning::Input(..) => may_fail = true,
-                // the solved unknowns
+                // unknowns that are solved for
                 Meaning::Reaction(..) | Meaning::Virtual => is_given = false,
                 _ => {}
             },
@@ -58,7 +58,7 @@ fn is_partial(work: &Workspace, parts: &[Id]) -> bool {
     may_fail && is_given
 }
 
-/// The sum under the root of a length.
+/// Whether an expression is a sum of squares, as under the root of a length.
 fn is_sum_of_squares(graph: &Graph, sum: Id) -> bool {
     let mut pending = vec![sum];
     while let Some(id) = pending.pop() {

@@ -1,12 +1,13 @@
-//! Regressors: the loads of a motion by inertial parameter.
+//! Regressors: how the loads of a motion depend on inertial parameters.
 //!
 //! ```text
 //! f = m a + ([w']x + w w - w^2 1) h            a: acceleration of a point P of the body, less that
 //! n = J w' + w x J w + h x a                      of free fall; h = m c: first moment about P
 //! ```
 //!
-//! Both are linear in m, h and J about P (Atkeson, An and Hollerbach, Estimation of inertial
-//! parameters of manipulator loads and links, 1986): the columns are the loads per unit of each.
+//! Both are linear in m, h and J about P, so the columns are the loads per unit of each parameter
+//! (Atkeson, An and Hollerbach, Estimation of inertial parameters of manipulator loads and links,
+//! 1986).
 
 use crate::mechanics::balances::uniform_field;
 use crate::mechanics::tree::{LinkMotion, Properties, SpatialVector};
@@ -15,9 +16,9 @@ use crate::symbolic::Id;
 
 /// The regressor of one body.
 pub struct Regressor {
-    /// For each parameter the rows of the balances.
+    /// For each parameter, one entry per balance.
     pub columns: Vec<Vec<Id>>,
-    /// The body's value of each.
+    /// The value of each parameter for this body.
     pub parameters: Vec<Id>,
 }
 
@@ -32,7 +33,8 @@ const ALL: [&str; 10] = [
     "m", "m c_x", "m c_y", "m c_z", "J_xx", "J_yy", "J_zz", "J_xy", "J_yz", "J_zx",
 ];
 
-/// The parameters that a motion may reveal, by their indices among all; a rod has other ones.
+/// The indices, among all parameters, of those that a motion may reveal. A rod has other
+/// parameters.
 pub fn told(motion: Motion) -> &'static [usize] {
     const NUMBERS: [usize; 10] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9];
     if !motion.has_attitude() {
@@ -46,7 +48,7 @@ pub fn told(motion: Motion) -> &'static [usize] {
     }
 }
 
-/// Their names.
+/// The names of the parameters that a motion may reveal.
 pub fn inertial_parameters(motion: Motion) -> Vec<&'static str> {
     if motion.is_line() {
         return vec!["m", "m c", "J"];
@@ -54,7 +56,7 @@ pub fn inertial_parameters(motion: Motion) -> Vec<&'static str> {
     told(motion).iter().map(|number| ALL[*number]).collect()
 }
 
-/// About the held point, or G.
+/// The regressor about the held point, or about G.
 pub fn derive_regressor(model: &Model, work: &mut Workspace) -> Regressor {
     if model.motion.is_line() {
         return of_rod(model, work);
@@ -93,7 +95,8 @@ pub fn derive_regressor(model: &Model, work: &mut Workspace) -> Regressor {
     }
 }
 
-/// Along its axis u there is one first moment, and perpendicular to it one inertia.
+/// The regressor of a rod, which has one first moment, along its axis u, and one moment of inertia,
+/// across it.
 fn of_rod(model: &Model, work: &mut Workspace) -> Regressor {
     let state = model.state;
     let fall = fall_against(model, work);
@@ -126,7 +129,7 @@ fn of_rod(model: &Model, work: &mut Workspace) -> Regressor {
     }
 }
 
-/// Minus the acceleration of free fall, in the uniform fields that act at G.
+/// The negative of the acceleration of free fall in the uniform fields that act at G.
 fn fall_against(model: &Model, work: &mut Workspace) -> Vector {
     let turns = model.motion.has_attitude();
     let mut weights = Vec::new();

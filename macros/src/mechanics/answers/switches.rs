@@ -1,6 +1,6 @@
-//! Switch times, at which the equations change by a condition on time.
+//! Switch times: times at which the equations change because of a condition on time.
 //!
-//! Compared expressions are split into pieces, each of them one expression in which time enters as
+//! Compared expressions are split into pieces. In each piece, time enters in one of these forms:
 //!
 //! ```text
 //! k t + c          switches at      -c / k
@@ -8,9 +8,10 @@
 //! f sin(k t + c) + b, and with cos: twice in every 2 pi / k
 //! ```
 //!
-//! with numbers, parameters and inputs as k, c, m, f, b. For `abs`, `min`, `max` and `if` the
-//! pieces are those of both sides, for `floor` and `ceil` an integer. A time found in this way may
-//! be no switch, and then ends a step needlessly; but no switch of these forms is missed.
+//! Here k, c, m, f and b are numbers, parameters and inputs. For `abs`, `min`, `max` and `if`, the
+//! pieces are those of both sides; for `floor` and `ceil`, they contain an integer. A time that is
+//! found in this way may not be a switch; then it ends a step needlessly. But no switch of these
+//! forms is missed.
 
 use std::collections::HashMap;
 
@@ -21,9 +22,9 @@ use crate::symbolic::{Comparison, Function, Graph, Id, Node, Number};
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Switch {
     At(Id),
-    /// Rounded like terms of this size.
+    /// A time, and the size of the terms whose rounding errors it contains.
     Near(Id, Id),
-    /// From a time on, and before, with a period.
+    /// Periodic times, given by one of them and the period.
     Every(Id, Id),
 }
 
@@ -36,7 +37,7 @@ impl Switch {
     }
 }
 
-/// The limit of pieces of one expression.
+/// The most pieces of one expression.
 const MOST: usize = 32;
 
 /// `slope t + sum of terms + whole n + wave`
@@ -57,12 +58,13 @@ struct Wave {
     rest: Id,
 }
 
-/// The pieces of each expression, if they all have these forms.
+/// The pieces of each expression; `None` if one does not have these forms.
 type Pieces = HashMap<Id, Option<Vec<Piece>>>;
 
 /// The switch times of `roots`, each once.
 ///
-/// `derivatives` gives the number of given derivatives of each input: one that has some moves.
+/// `derivatives` has the number of given derivatives of each input. An input with derivatives
+/// moves.
 pub fn derive_switches(
     time: Id,
     derivatives: &[usize],
@@ -136,12 +138,12 @@ impl Piece {
         }
     }
 
-    /// `slope t + sum of terms`
+    /// Whether it is `slope t + sum of terms`.
     fn is_line(&self) -> bool {
         self.whole.is_none() && self.wave.is_none()
     }
 
-    /// The sine or the cosine of a line.
+    /// The sine or cosine of a piece that is linear in time.
     fn waved(&self, graph: &mut Graph, function: Function) -> Option<Self> {
         let wave = Wave {
             function,
@@ -156,7 +158,7 @@ impl Piece {
         })
     }
 
-    /// None if there are two integers, or two waves.
+    /// The sum. `None` if it would contain two integers or two waves.
     fn plus(&self, graph: &mut Graph, other: &Self) -> Option<Self> {
         let has_two = self.whole.is_some() && other.whole.is_some()
             || self.wave.is_some() && other.wave.is_some();
@@ -168,7 +170,7 @@ impl Piece {
         })
     }
 
-    /// The times at which it is zero, or at which the argument of an integer is one.
+    /// The times at which the piece is zero, or at which the argument of its integer is an integer.
     fn zeros(&self, graph: &mut Graph) -> Vec<Switch> {
         let rest = graph.sum(&self.terms);
         match (self.whole, self.wave) {
@@ -193,7 +195,7 @@ impl Piece {
 }
 
 impl Wave {
-    /// The times at which the wave equals the opposite of `rest`.
+    /// The times at which the wave equals `-rest`.
     fn zeros(&self, graph: &mut Graph, rest: Id) -> Vec<Switch> {
         let against = graph.negate(rest);
         let level = graph.divide(against, self.factor);
@@ -221,7 +223,7 @@ fn zero(graph: &mut Graph, slope: Id, rest: Id) -> Id {
     graph.divide(against, slope)
 }
 
-/// The size of the terms of the zero.
+/// The size of the terms of such a zero.
 fn size(graph: &mut Graph, slope: Id, terms: &[Id]) -> Id {
     let sizes: Vec<Id> = terms
         .iter()
@@ -231,7 +233,7 @@ fn size(graph: &mut Graph, slope: Id, terms: &[Id]) -> Id {
     graph.divide(sum, slope)
 }
 
-/// Whether terms of this size are not much larger than the number that is their sum.
+/// Whether the terms of a number, which have this size, are not much larger than the number.
 fn is_as_large(graph: &Graph, number: Id, size: Id) -> bool {
     let value = |id: Id| graph.as_number(id).map(|number| number.to_f64().abs());
     matches!((value(number), value(size)), (Some(number), Some(size)) if size <= 4.0 * number)
@@ -270,7 +272,7 @@ fn add_switches(graph: &mut Graph, pieces: &Pieces, id: Id, switches: &mut Vec<S
     }
 }
 
-/// The sums of each piece of one and each of the other.
+/// The sums of each piece of the first list and each piece of the second.
 fn sums(graph: &mut Graph, a: &[Piece], b: &[Piece]) -> Option<Vec<Piece>> {
     if a.len() * b.len() > MOST {
         return None;
@@ -279,7 +281,7 @@ fn sums(graph: &mut Graph, a: &[Piece], b: &[Piece]) -> Option<Vec<Piece>> {
     pairs.map(|(a, b)| a.plus(graph, b)).collect()
 }
 
-/// The content of a piece that is a single term.
+/// The term, if there is a single piece with a single term.
 fn held(graph: &Graph, pieces: Option<&[Piece]>) -> Option<Id> {
     let [piece] = pieces? else {
         return None;

@@ -5,13 +5,12 @@
 //! velocity' = a             w' = alpha
 //! ```
 //!
-//! Inputs are held; those that are `.moving` continue with their rates and accelerations.
+//! Inputs are held constant. Those that are `.moving` continue with their rates and accelerations.
 //!
-//! For a symmetric body they use axes that do not spin with it, if there are such axes:
-//! [`super::axes`].
+//! For a symmetric body, the recurrences use axes that do not spin with it, if there are such axes:
+//! see [`super::axes`].
 //!
-//! A series exists where the equations are smooth; a load that is not smooth is
-//! reported.
+//! A series exists where the equations are smooth. A load that is not smooth is reported.
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::structure::Structure;
@@ -21,13 +20,13 @@ use crate::symbolic::{Components, Coordinate, Id, Node, Number, Polynomial, Recu
 use super::axes::{self, Axes};
 use super::partial::loads;
 
-/// The recurrences of a motion, with its coordinates in the order in which the runtime lists them.
+/// The recurrences of a motion. Its coordinates are in the order in which the runtime lists them.
 #[derive(Debug)]
 pub struct Taylor {
-    /// The coordinates.
+    /// The symbols of the coordinates.
     pub symbols: Vec<Id>,
     pub recurrences: Recurrences,
-    /// The axes in which they hold, if these are not body axes.
+    /// The axes in which the recurrences hold, if these are not body axes.
     pub axes: Option<Axes>,
 }
 
@@ -40,7 +39,7 @@ impl Taylor {
     }
 }
 
-/// The recurrences, if they exist; obstacles are reported at the request.
+/// The recurrences, if they exist. Obstacles are reported where the series is requested.
 pub fn derive_taylor(
     model: &Model,
     work: &mut Workspace,
@@ -49,7 +48,7 @@ pub fn derive_taylor(
     structure: &Structure,
     errors: &mut Errors,
 ) -> Option<Taylor> {
-    // in axes that do not spin, user-defined rates may differ
+    // in axes that do not spin, the rates of user-defined states might differ
     let may_turn = model.states.is_empty();
     let axes = may_turn.then(|| axes::derive_axes(model, work, structure));
     let axes = axes.flatten();
@@ -74,15 +73,15 @@ pub fn derive_taylor(
     moving.expand(work, axes, asked, errors)
 }
 
-/// The inputs of the series.
+/// What a series is derived from.
 pub struct SeriesInput {
     /// The coordinates of the state.
     pub coordinates: Vec<Coordinate>,
     /// Time, and inputs that move.
     pub polynomials: Vec<Polynomial>,
-    /// Loads by name, for reports.
+    /// The loads with their names, for reports.
     pub loads: Vec<(String, Vec<Id>)>,
-    /// The cables among them.
+    /// The names of those that are cables.
     pub cables: Vec<String>,
 }
 
@@ -103,7 +102,7 @@ impl SeriesInput {
         })
     }
 
-    /// Reports where the equations are not smooth, by the loads that are to blame.
+    /// Reports where the equations are not smooth, with the load that causes it.
     fn check_smooth(&self, work: &Workspace, asked: Extent, errors: &mut Errors) -> Option<()> {
         let graph = &work.graph;
         let all = self.coordinates.iter();
@@ -147,7 +146,7 @@ impl SeriesInput {
     }
 }
 
-/// Time, and inputs that move: `x + x' s + x'' s^2 / 2` after a time s from the given values.
+/// Time and inputs that move: at a time s after the given values, `x + x' s + x'' s^2 / 2`.
 pub fn polynomials(
     time: Option<Id>,
     derivatives: &[usize],
@@ -172,8 +171,8 @@ pub fn polynomials(
     time.into_iter().chain(inputs).collect()
 }
 
-/// The coordinates of the state, and user-defined ones; those of a kind of motion are together.
-/// `axes_rate` is the angular velocity of the axes.
+/// The coordinates of the state, grouped by kind, followed by the user-defined states. `axes_rate`
+/// is the angular velocity of the axes.
 fn coordinates(
     model: &Model,
     work: &mut Workspace,
@@ -214,7 +213,7 @@ fn coordinates(
     list
 }
 
-/// `q' = q (0, w) / 2`, the scalar last.
+/// `q' = q (0, w) / 2`, with the scalar part last.
 pub fn quaternion_rate(
     work: &mut Workspace,
     scalar: Id,
@@ -232,7 +231,7 @@ pub fn quaternion_rate(
 
 const OTHERWISE: &str = "leave `taylor` out and `integrate` takes Runge-Kutta steps";
 
-/// The reason why there is no series, and a remedy.
+/// Why there is no series, and what to do about it.
 fn reason(work: &Workspace, kink: Id) -> String {
     let word = match work.graph.node(kink) {
         Node::Foreign(function, _) => {

@@ -1,8 +1,8 @@
-//! A constant tensor with an axis of symmetry: two numbers and a direction.
+//! A constant tensor with an axis of symmetry, given by two numbers and a direction.
 
 use crate::symbolic::{Components, Graph, Id, Number, Symmetry};
 
-/// `isotropic 1 + excess n n`, with the largest component of n one.
+/// `isotropic 1 + excess n n`, where the largest component of n is one.
 #[derive(Clone, Copy)]
 pub struct Dyadic {
     pub isotropic: Id,
@@ -24,7 +24,7 @@ impl Dyadic {
         })
     }
 
-    /// For a tensor of numbers with two equal principal moments and a third.
+    /// The form of a tensor of numbers that has two equal principal moments and a third one.
     pub fn of(graph: &mut Graph, rows: &[Components; 3]) -> Option<Self> {
         let Symmetry {
             across,
@@ -34,7 +34,7 @@ impl Dyadic {
         Self::new(graph, &across, &along, axis)
     }
 
-    /// For its inverse.
+    /// The same for the inverse of the tensor.
     pub fn of_inverse(graph: &mut Graph, rows: &[Components; 3]) -> Option<Self> {
         let Symmetry {
             across,
@@ -73,7 +73,7 @@ pub fn transform(graph: &mut Graph, rows: &[Components; 3], x: Components) -> Co
     cheapest(graph, full, dyadic)
 }
 
-/// `x.J x`, each product of inertia once.
+/// `x.J x`, with each product of inertia used once.
 pub fn quadratic(graph: &mut Graph, rows: &[Components; 3], x: Components) -> Id {
     let two = graph.integer(2);
     let mut full = graph.zero();
@@ -92,7 +92,8 @@ pub fn quadratic(graph: &mut Graph, rows: &[Components; 3], x: Components) -> Id
     form
 }
 
-/// Two forms of one quantity: the second, if it exists and costs less.
+/// One of two forms of the same quantity: the second if it exists and costs less, otherwise the
+/// first.
 pub fn cheapest<const N: usize>(graph: &Graph, first: [Id; N], second: Option<[Id; N]>) -> [Id; N] {
     let cost = |form: &[Id; N]| graph.late_cost(form).total();
     match second {

@@ -1,5 +1,6 @@
 //! Euler's equations `J w' = M - w x J w`, solved for `w'` in the form that takes the fewest
-//! operations. All forms are exact; a tensor of numbers has forms that one of parameters lacks.
+//! operations. All forms are exact. A tensor of numbers has forms that a tensor of parameters does
+//! not have.
 
 use crate::model::{AXES, Labels, Model, Workspace};
 use crate::symbolic::{Components, Graph, Number, PrincipalAxes, Spectrum, scaled};
@@ -11,22 +12,22 @@ use super::dyadic::Dyadic;
 pub enum EulerForm {
     /// The axes of the body are principal.
     Principal,
-    /// The full tensor, minus a multiple of the unit matrix.
+    /// With the full tensor, minus a multiple of the unit matrix.
     Gauged,
-    /// About an axis of symmetry.
+    /// With an axis of symmetry.
     Symmetric,
     /// Rotated into the principal axes.
     TurnedToPrincipal,
 }
 
-/// `w'` in one of them, and the names of its parts.
+/// `w'` in one of these forms, and the names of its parts.
 struct Written {
     form: EulerForm,
     angular: Components,
     labels: Labels,
 }
 
-/// The quantities of the equations: angular velocity and moment in body axes, and the tensor by
+/// What the equations contain: the angular velocity and the moment in body axes, and the tensor by
 /// rows.
 struct Balance<'a> {
     graph: &'a mut Graph,
@@ -35,7 +36,7 @@ struct Balance<'a> {
     moment: Components,
 }
 
-/// `w' = J^-1 (M - w x J w)`; of forms with equal cost, the first.
+/// `w' = J^-1 (M - w x J w)`. Of forms with equal cost, the first is chosen.
 pub fn solve_euler(
     model: &Model,
     work: &mut Workspace,
@@ -58,7 +59,8 @@ pub fn solve_euler(
                 Some(balance.gauged(1)),
                 Some(balance.gauged(0)),
                 is_fixed.then(|| balance.about_symmetry()).flatten(),
-                // for irrational axes, vanishing differences are not always proved to be zero
+                // if the axes are irrational, not every difference that vanishes is proved to be
+                // zero
                 if model.is_differentiated || !is_fixed {
                     None
                 } else {
@@ -81,8 +83,7 @@ pub fn is_diagonal(graph: &Graph, rows: &[Components; 3]) -> bool {
 }
 
 impl Balance<'_> {
-    /// Principal axes given by the user: `w_1' = M_1 / J_1 + (J_2 - J_3) / J_1 w_2 w_3`, and so
-    /// on.
+    /// The body axes are principal: `w_1' = M_1 / J_1 + (J_2 - J_3) / J_1 w_2 w_3`, and so on.
     ///
     /// If two moments of inertia are equal, both products contain the rate at which the angular
     /// velocity precesses in the body, which is then computed once.
@@ -140,8 +141,8 @@ impl Balance<'_> {
         }
     }
 
-    /// The full tensor. A multiple of the unit matrix does not change `w x J w` and is subtracted
-    /// first: this is accurate for nearly spherical bodies (H7), and cheaper.
+    /// The full tensor. A multiple of the unit matrix does not change `w x J w`, so it is
+    /// subtracted first. This is accurate for nearly spherical bodies (H7), and cheaper.
     fn gauged(&mut self, axis: usize) -> Written {
         let mut labels = Labels::default();
         let graph = &mut *self.graph;
@@ -169,8 +170,8 @@ impl Balance<'_> {
     }
 
     /// An axis of symmetry n, with the moment B about it and A across it:
-    /// `w' = J^-1 M + (A - B) / A (n.w) w x n`. The gyroscopic moment has no part along n, whatever
-    /// B is.
+    /// `w' = J^-1 M + (A - B) / A (n.w) w x n`. Whatever B is, the gyroscopic moment has no part
+    /// along n.
     fn about_symmetry(&mut self) -> Option<Written> {
         let mut labels = Labels::default();
         let graph = &mut *self.graph;
@@ -201,9 +202,9 @@ impl Balance<'_> {
         })
     }
 
-    /// Three principal axes n: Euler's equations along them, and back. Each n is written as its
-    /// largest component times a vector r with a one in its place; the factor is
-    /// folded into the coefficients.
+    /// Three principal axes n: Euler's equations along these axes, and back. Each n is written as
+    /// its largest component times a vector r, in which that component is one. The largest
+    /// component is folded into the coefficients.
     fn in_principal_axes(&mut self) -> Option<Written> {
         let mut labels = Labels::default();
         let graph = &mut *self.graph;

@@ -28,7 +28,7 @@ pub fn moments_about<'l>(
     loads.into_iter().map(moment).collect()
 }
 
-/// `P - O`, from the pole O to the point P.
+/// `P - O`: the vector from the pole O to the point P.
 pub fn arm(state: &State, work: &mut Workspace, point: Point, pole: Point) -> Vector {
     let from_center = |work: &mut Workspace, point: Point| match point {
         Point::Fixed(Frame::WORLD, _) => None,
@@ -45,7 +45,8 @@ pub fn arm(state: &State, work: &mut Workspace, point: Point, pole: Point) -> Ve
     work.add(end, backwards)
 }
 
-/// A body that does not rotate needs a separate moment balance: nothing else could hold it.
+/// Reports moments on a body that does not rotate, unless they add up to zero: nothing else can
+/// balance them.
 pub fn check_moment_free(
     model: &Model,
     work: &mut Workspace,
@@ -71,7 +72,7 @@ pub fn check_moment_free(
     None
 }
 
-/// The force of a load of this kind, at its point, and its moment about `pole`.
+/// The force of a load of this kind at its point, and its moment about `pole`.
 pub fn about_pole(
     state: &State,
     work: &mut Workspace,
@@ -97,8 +98,8 @@ pub fn known_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vec
     parts.collect()
 }
 
-/// The point of the body at which a uniform field acts: a field force that is fixed in world axes
-/// and does not depend on position, attitude or velocity.
+/// The point of the body at which a uniform field acts, if the load is one: a field force that is
+/// fixed in world axes and does not depend on position, attitude or velocity.
 pub fn uniform_field(
     work: &Workspace,
     body: Frame,

@@ -3,8 +3,7 @@
 use crate::model::{Inertia, Model, Workspace};
 use crate::symbolic::{Components, Id};
 
-/// The inertia about G, or about the held point: `J_P = J_G + m (c^2 1 - c c)`,
-/// `c = G - P`.
+/// The inertia about G, or about the held point: `J_P = J_G + m (c^2 1 - c c)` with `c = G - P`.
 pub fn inertia_about_center(model: &Model, work: &mut Workspace) -> Inertia {
     let (Some(support), Some(mass)) = (model.state.support, model.mass) else {
         return model.inertia;

@@ -14,8 +14,8 @@ use super::loads::{check_moment_free, known_parts, moments_about, resultant};
 use super::moments::{inertia_about_center, moment_of_inertia};
 use super::rod;
 
-/// The accelerations, as far as the motion has them; that of the axis of a rod takes the place of
-/// the angular one.
+/// The accelerations that the motion has. For a rod, the acceleration of its axis takes the place
+/// of the angular one.
 pub fn derive_accelerations(
     model: &Model,
     work: &mut Workspace,
@@ -33,7 +33,7 @@ pub fn derive_accelerations(
     let known = if model.motion.has_attitude() {
         known_parts(model, work, center)
     } else {
-        // with unknown moments, the balance is checked when these are solved for
+        // unknown moments may balance the others: this is checked when they are solved for
         if model.reactions.is_empty() {
             check_moment_free(model, work, &model.loads, errors)?;
         }
@@ -54,7 +54,7 @@ pub fn derive_accelerations(
     ))
 }
 
-/// The accelerations by loads and further moments, with these names, if they have any.
+/// The accelerations under loads and further moments. They get these names, if there are any.
 pub fn solve_balances(
     model: &Model,
     work: &mut Workspace,
@@ -104,7 +104,7 @@ fn linear_acceleration(
     acceleration
 }
 
-/// (1.4) about G, or about the held point, whose reaction has no moment there:
+/// (1.4) about G, or about the held point, where the reaction of the support has no moment:
 /// `w' = J^-1 (M - w x J w)`.
 fn angular_acceleration(
     model: &Model,
@@ -146,7 +146,7 @@ fn angular_acceleration(
     (angular, form)
 }
 
-/// About an axis d: `w' = d.M / d.J d`, because `w x J w` has no part along it.
+/// About an axis d: `w' = d.M / d.J d`, because `w x J w` has no part along d.
 fn about_axis(
     work: &mut Workspace,
     inertia: &Inertia,

@@ -1,4 +1,4 @@
-//! The acceleration by a single load.
+//! The acceleration due to a single load.
 
 use crate::model::{Inertia, Model, Pair, Workspace};
 use crate::symbolic::Components;
@@ -7,7 +7,7 @@ use super::dyadic::{Dyadic, cheapest};
 use super::euler_equations::{inverse_inertia, is_diagonal};
 use super::moments::{inertia_about_center, moment_of_inertia};
 
-/// The part of a moment about the center along the free rotations of the body; for a hinge, the
+/// The part of a moment about the center along the free rotations of the body. For a hinge, the
 /// part along its axis takes the place of z.
 pub fn free_moment(model: &Model, work: &mut Workspace, moment: Components) -> Components {
     let graph = &mut work.graph;
@@ -20,8 +20,8 @@ pub fn free_moment(model: &Model, work: &mut Workspace, moment: Components) -> C
     }
 }
 
-/// The response to a force and a [`free_moment`] about the center: `F / m`, `J^-1 M`, as far as the
-/// motion has them.
+/// The response to a force and a [`free_moment`] about the center: `F / m` and `J^-1 M`, as far as
+/// the motion has these accelerations.
 pub fn response(model: &Model, work: &mut Workspace, load: Pair) -> Pair {
     let (force, moment) = (load.linear, load.angular);
     let graph = &mut work.graph;

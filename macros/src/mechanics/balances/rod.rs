@@ -1,13 +1,13 @@
-//! (1.4) of a rod: without inertia about its axis u, it rotates only as u does.
+//! (1.4) for a rod: since it has no inertia about its axis u, its rotation is that of u.
 //!
 //! ```text
 //! u'' = (K x u) / J - u'^2 u
 //! ```
 //!
-//! All vectors are in world axes, and K is perpendicular to u. If it is `u x B`, as for forces with
-//! the first moment `B = sum of s F`, for potentials and for most couples that can be written,
-//! `K x u = B - (u . B) u`. These B are summed, and one projection suffices; none is needed if B is
-//! already perpendicular to the axis, as for damping.
+//! All vectors are in world axes, and K is perpendicular to u. If `K = u x B`, then
+//! `K x u = B - (u . B) u`. This is so for forces, with the first moment `B = sum of s F`, for
+//! potentials, and for most couples that can be written. These B are summed, and one projection is
+//! enough. It is not needed if B is already perpendicular to the axis, as for damping.
 //!
 //! ```text
 //! u'' = B / J - (u . B / J + u'^2) u
@@ -20,7 +20,7 @@ use crate::symbolic::{Components, Id};
 
 use super::loads::{arm, moments_about};
 
-/// u'' by the loads of the model, world axes.
+/// u'' under the loads of the model, in world axes.
 pub fn axis_acceleration(model: &Model, work: &mut Workspace, axis: Axis) -> Components {
     let Inertia::Scalar(inertia) = model.inertia else {
         return work.graph.zeros();
@@ -50,10 +50,10 @@ pub fn axis_acceleration(model: &Model, work: &mut Workspace, axis: Axis) -> Com
     acceleration
 }
 
-/// Pulls at the axis: sums of B, with moments `u x B`; world axes.
+/// Pulls at the axis: sums of B, whose moments are `u x B`, in world axes.
 struct Pulls {
     any: Components,
-    /// The sum of those that are perpendicular to u.
+    /// The sum of those B that are perpendicular to u.
     across: Components,
 }
 
@@ -97,7 +97,8 @@ fn pulls(model: &Model, work: &mut Workspace, axis: Axis) -> Pulls {
     pulls
 }
 
-/// B of a moment K: for a multiple of `u x b`, that of b; otherwise `K x u`.
+/// B of a moment K. If K is a multiple of `u x b`, it is that multiple of b; otherwise it is
+/// `K x u`.
 fn pull_of(work: &mut Workspace, axis: Axis, moment: Vector) -> Components {
     let moment = work.part(moment, Frame::WORLD);
     let opposite = work.graph.negate_vector(moment);
@@ -125,7 +126,8 @@ fn is_across_axis(work: &mut Workspace, axis: Axis, vector: Components) -> bool 
     all_vanish(work, &[along])
 }
 
-/// Whether a vector is along the axis in all states: a force on the axis has no moment then.
+/// Whether a vector is along the axis in all states, so that a force along it on the axis has no
+/// moment.
 pub fn is_along_axis(model: &Model, work: &mut Workspace, vector: Components) -> bool {
     let Some(Axis { unit, .. }) = model.state.axis else {
         return false;
@@ -157,7 +159,7 @@ fn name_acceleration(work: &mut Workspace, acceleration: Components) {
     labels.vector("axis", acceleration);
 }
 
-/// Nothing balances a moment about the axis.
+/// Reports moments about the axis, unless they add up to zero: nothing can balance them.
 pub fn check_loads(
     model: &Model,
     work: &mut Workspace,
@@ -185,7 +187,7 @@ pub fn check_loads(
     None
 }
 
-/// The moments along the axis.
+/// The parts of moments along the axis.
 pub fn parts_along(
     work: &mut Workspace,
     axis: Axis,
@@ -198,7 +200,7 @@ pub fn parts_along(
     parts.collect()
 }
 
-/// The indices of the parts that do not vanish.
+/// The indices of the parts that are not proved to vanish.
 pub fn not_vanishing(work: &mut Workspace, parts: &[Id]) -> Vec<usize> {
     let samples = samples(work, parts);
     (0..parts.len())

@@ -1,4 +1,4 @@
-//! Motions about an axis in closed form: with constant acceleration, or as a pendulum,
+//! Motions about an axis that have a closed form: with constant acceleration, or as a pendulum,
 //! `w' = a sin theta + b cos theta`.
 
 use crate::mechanics::proofs::all_vanish;
@@ -8,7 +8,7 @@ use crate::symbolic::{Function, Id};
 use super::constants::at_rest;
 use super::forms::{Contribution, Rotation, dependence};
 
-/// The effect of a load on the motion about an axis.
+/// How a load acts on the motion about an axis.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Constant,
@@ -17,7 +17,7 @@ enum Kind {
     Other,
 }
 
-/// The motion about an axis, or the obstacle.
+/// The motion about an axis, or what prevents a closed form.
 pub fn about_axis(
     model: &Model,
     work: &mut Workspace,
@@ -59,7 +59,7 @@ pub fn about_axis(
     None
 }
 
-/// The pendulum, of an acceleration that makes one of the angle.
+/// The pendulum that an acceleration makes of the angle, if it does.
 pub fn swing(angle: Id, work: &mut Workspace, acceleration: Id) -> Option<Rotation> {
     let wave = swinging(angle, work, acceleration)?;
     Some(pendulum(work, wave))
@@ -78,7 +78,7 @@ fn pendulum(work: &mut Workspace, (sine, cosine): (Id, Id)) -> Rotation {
     Rotation::Pendulum { rate, hanging }
 }
 
-/// The loads with a moment about the axis, each with the moment and its kind.
+/// The loads with a moment about the axis, each with this moment and its kind.
 fn kinds<'a>(
     model: &Model,
     work: &mut Workspace,
@@ -106,7 +106,8 @@ fn kinds<'a>(
     acting.collect()
 }
 
-/// `(a, b)` of `a sin theta + b cos theta`, which may be written with all else of the state.
+/// `(a, b)` of `a sin theta + b cos theta`. The expression may be written with other parts of the
+/// state.
 fn swinging(angle: Id, work: &mut Workspace, expression: Id) -> Option<(Id, Id)> {
     let of_late = |id: Id| !work.graph.is_early(id) && id != angle;
     let still = if work.graph.depends_on(&[expression], of_late) {

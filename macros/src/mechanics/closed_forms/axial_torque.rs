@@ -7,13 +7,13 @@ use crate::symbolic::{Components, Id};
 use super::axis_of_symmetry::axes_of_symmetry;
 use super::solid::Solid;
 
-/// The parameters of the motion of a body under a moment along its axis.
+/// What determines the motion of a symmetric body under a moment along its axis.
 pub struct AxialTorque {
-    /// Across the axis and about it.
+    /// The moments of inertia across the axis and about it.
     pub moments: [Id; 2],
-    /// Unit vector, body axes.
+    /// The unit vector e, in body axes.
     pub axis: Components,
-    /// N
+    /// The torque N.
     pub torque: Id,
 }
 
@@ -23,7 +23,7 @@ impl AxialTorque {
     }
 }
 
-/// The axis and the torque along it, if the moment, in body axes, is constant and along an axis of
+/// The axis and the torque along it, if the moment in body axes is constant and along an axis of
 /// symmetry.
 pub fn axial_torque(
     solid: &Solid,

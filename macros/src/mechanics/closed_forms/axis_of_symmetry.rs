@@ -7,9 +7,9 @@ use crate::symbolic::{Components, Graph, Id, Number, Spectrum};
 use super::free_rotation::unit;
 use super::solid::Solid;
 
-/// Moments of inertia across and along axes about which the body is symmetric, and unit vectors
-/// along them: for a spherical one, along one of these directions, if it is known, and the body
-/// axes.
+/// The axes about which the body is symmetric: for each, the moments of inertia across it and along
+/// it, and its unit vector. For a spherical body, these are the first of `directions` that is
+/// known, and the body axes.
 pub fn axes_of_symmetry(
     solid: &Solid,
     work: &mut Workspace,

@@ -4,7 +4,8 @@ use crate::mechanics::proofs::all_vanish;
 use crate::model::{Meaning, Variable, Workspace};
 use crate::symbolic::Id;
 
-/// The values of expressions, known early, if these are proved to be the same in all states.
+/// The values of expressions, known early, if the expressions are proved to be the same in all
+/// states.
 pub fn constants(work: &mut Workspace, roots: &[Id]) -> Option<Vec<Id>> {
     if work.graph.are_early(roots) {
         return Some(roots.to_vec());
@@ -20,8 +21,8 @@ pub fn constants(work: &mut Workspace, roots: &[Id]) -> Option<Vec<Id>> {
     all_vanish(work, &differences).then_some(values)
 }
 
-/// Expressions in the state in which all numbers except those that are `kept` are zero, and all
-/// attitudes are those of the ground.
+/// Expressions in the state in which all attitudes are those of the ground, and all other numbers
+/// are zero, except those that are `kept`.
 pub fn at_rest(work: &mut Workspace, roots: &[Id], kept: impl Fn(Id) -> bool) -> Vec<Id> {
     let (zero, one) = (work.graph.zero(), work.graph.one());
     let late = work.graph.reachable(roots, |id| !work.graph.is_early(id));

@@ -1,7 +1,7 @@
-//! Motions in closed form: the one that a body has, or the obstacle.
+//! Motions in closed form: the one that a body has, or what prevents it.
 //!
-//! G moves on a parabola if only constant forces, in world axes, act on the body. The rotation
-//! is one of
+//! G moves on a parabola if all forces on the body are constant in world axes. The rotation is one
+//! of
 //!
 //! ```text
 //! in space        freely: no moment about G, or about the point that is held
@@ -25,7 +25,7 @@ use super::free_rotation::free;
 use super::lagrange_top::lagrange_top;
 use super::solid::Solid;
 
-/// The closed form. All obstacles are reported at the request.
+/// The closed form. All obstacles are reported where it is requested.
 pub fn derive_flow(
     model: &Model,
     work: &mut Workspace,
@@ -155,8 +155,8 @@ pub fn symmetric(solid: &Solid, work: &mut Workspace, moment: Components) -> Opt
     axial_torque(solid, work, moment).map(Rotation::Axial)
 }
 
-/// Reports the obstacles to free rotation that do not make a top or a spin that is linear in time
-/// instead.
+/// Reports the moments that prevent a free rotation, unless they make a top or a spin that is
+/// linear in time.
 fn report_moments(
     model: &Model,
     work: &mut Workspace,

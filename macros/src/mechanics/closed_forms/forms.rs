@@ -1,4 +1,4 @@
-//! The closed forms, and the permitted dependencies of loads in each.
+//! The closed forms, and what loads depend on.
 
 use crate::model::{Meaning, Motion, Variable, Workspace};
 use crate::symbolic::{Components, Id};
@@ -10,7 +10,7 @@ use super::lagrange_top::Top;
 
 /// The motion of a body in closed form.
 pub struct Flow {
-    /// Acceleration of G, constant, world axes; zero if G has no coordinates.
+    /// The constant acceleration of G, in world axes; zero if G has no coordinates.
     pub linear: Components,
     pub rotation: Rotation,
 }
@@ -31,7 +31,7 @@ impl Flow {
         }
     }
 
-    /// The type of the motion, line by line.
+    /// The kind of motion, in words, line by line.
     pub fn describe(&self, motion: Motion) -> Vec<String> {
         let center = motion.translates().then_some("G moves on a parabola");
         let lines = center.into_iter().chain(self.rotation.describe());
@@ -72,7 +72,7 @@ impl Rotation {
         }
     }
 
-    /// The kind of motion.
+    /// The kind of rotation, in words.
     pub fn describe(&self) -> Option<&'static str> {
         Some(match self {
             Self::None => return None,
@@ -99,16 +99,16 @@ impl Rotation {
     }
 }
 
-/// The effect of a load, without unknown components.
+/// What a load contributes, without its unknown components.
 pub struct Contribution {
     pub name: String,
-    /// World axes.
+    /// In world axes.
     pub force: Components,
-    /// About G, or the held point; body axes, for a rod world axes.
+    /// About G or the held point, in body axes; for a rod, in world axes.
     pub moment: Components,
 }
 
-/// The dependency of expressions; of several, the one that is furthest from a constant.
+/// What expressions depend on. Of several quantities, the one that is least like a constant.
 pub fn dependence(work: &Workspace, roots: &[Id]) -> &'static str {
     let graph = &work.graph;
     let causes = graph
@@ -118,7 +118,7 @@ pub fn dependence(work: &Workspace, roots: &[Id]) -> &'static str {
     causes.min().map_or("the state", |(_, word)| word)
 }
 
-/// A rank and a word for the dependence on time.
+/// A rank, and a word, for a quantity that changes in time.
 fn cause(meaning: Meaning) -> Option<(u8, &'static str)> {
     use Variable::{Angle, AngularVelocity, Axis, AxisRate, Position, Quaternion, Velocity};
     Some(match meaning {

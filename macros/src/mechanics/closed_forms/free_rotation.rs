@@ -1,19 +1,19 @@
-//! Free rotation in closed form, classified by the moments of inertia if these are known.
+//! Free rotation in closed form, classified by the moments of inertia as far as these are known.
 
 use crate::model::Workspace;
 use crate::symbolic::{Components, Graph, Id, Number, Spectrum};
 
 use super::solid::Solid;
 
-/// The quantities that determine the free rotation of a body.
+/// What determines the free rotation of a body.
 pub enum Free {
     /// All moments of inertia are equal.
     Steady,
-    /// The moments across an axis and along it, and its unit vector, body axes.
+    /// The moments across an axis and along it, and its unit vector in body axes.
     Symmetric([Id; 2], Components),
-    /// Principal moments along the body axes, known when the body is built.
+    /// The principal moments along the body axes, known when the body is built.
     Along([Id; 3]),
-    /// Three principal moments, and unit vectors of their axes, body axes.
+    /// Three principal moments, and the unit vectors of their axes in body axes.
     Principal([Id; 3], [Components; 3]),
     /// The entries xx, yy, zz, xy, yz, zx of a tensor that is known when the body is built; its
     /// principal axes are computed then.
@@ -31,7 +31,8 @@ impl Free {
     }
 }
 
-/// The principal axes of a tensor of numbers are found here, at any precision.
+/// Classifies a free rotation. The principal axes of a tensor of numbers are computed here, to any
+/// precision.
 pub fn free(solid: &Solid, work: &mut Workspace) -> Free {
     let (graph, rows) = (&mut work.graph, &solid.rows);
     let Some(spectrum) = graph.spectrum(rows) else {

@@ -1,11 +1,11 @@
-//! A gyrostat: a body with rotors, symmetric about the axis e of all rotors.
+//! A gyrostat: a body with rotors that is symmetric about the axis e of all rotors.
 //!
 //! ```text
 //! w' = n w x e + r' e        r = w . e; n' and r' constant
 //! ```
 //!
-//! With A the moment of inertia across the axis, and h the angular momentum along it including that
-//! of the rotors, `n = r - h/A`. All of these follow from the acceleration.
+//! `n = r - h/A`, where A is the moment of inertia across the axis, and h is the angular momentum
+//! along it, including that of the rotors. All of these follow from the acceleration.
 
 use crate::mechanics::proofs::all_vanish;
 use crate::model::Workspace;
@@ -13,29 +13,29 @@ use crate::symbolic::{Components, Id, Number};
 
 use super::constants::{at_rest, constants};
 
-/// The quantities that determine the motion of a gyrostat.
+/// What determines the motion of a gyrostat.
 pub struct Gyrostat {
-    /// e, a unit vector, body axes.
+    /// The unit vector e, in body axes.
     pub axis: Components,
-    /// n, in a state.
+    /// n, as a function of the state.
     pub spin: Id,
-    /// n', constant.
+    /// n', which is constant.
     pub drift: Id,
-    /// r', constant.
+    /// r', which is constant.
     pub along: Id,
 }
 
-/// The rotation of a body, and the symbols on which its acceleration may depend.
+/// The rotation of a body, and the symbols that its acceleration may depend on.
 pub struct Turning<'a> {
-    /// Body axes.
+    /// In body axes.
     pub angular_velocity: Components,
     pub angular_acceleration: Components,
-    /// The rates of a state, with their accelerations.
+    /// The rates of a state, each with its acceleration.
     pub rates: &'a [(Id, Id)],
 }
 
 impl Turning<'_> {
-    /// The acceleration of a rate.
+    /// The acceleration that belongs to a rate.
     fn acceleration(&self, rate: Id) -> Option<Id> {
         let mut rates = self.rates.iter();
         let found = rates.find(|(symbol, _)| *symbol == rate);
@@ -48,7 +48,7 @@ impl Gyrostat {
         [&self.axis[..], &[self.spin, self.drift, self.along]].concat()
     }
 
-    /// The gyrostat about the first of these axes that is the axis of one.
+    /// The gyrostat about one of these axes: the first about which the body is a gyrostat.
     pub fn find(work: &mut Workspace, turning: &Turning<'_>, axes: &[Components]) -> Option<Self> {
         axes.iter()
             .find_map(|axis| Self::about(work, turning, *axis))
@@ -85,8 +85,9 @@ impl Gyrostat {
     }
 }
 
-/// n, if there is one: half the turn of the map from w to w' about e, where w is along e and only
-/// rates are not zero. Nothing divides by a component of the axis, which may vanish.
+/// n, if the body is a gyrostat: half the rotation about e in the linear map from w to w', taken
+/// where w is along e and only rates are nonzero. Nothing is divided by a component of the axis,
+/// which may vanish.
 fn spin(work: &mut Workspace, turning: &Turning<'_>, axis: Components) -> Id {
     let w = turning.angular_velocity;
     let place = |id: Id| w.iter().position(|component| *component == id);

@@ -1,17 +1,17 @@
-//! Lagrange's top: a body that is symmetric about an axis e, under a couple `k x e` with k constant
-//! in the world.
+//! Lagrange's top: a body that is symmetric about an axis e, under a couple `k x e`, where k is
+//! constant in the world.
 //!
-//! The moment of forces that are constant in the world is `sum r_l x W_l`, with the world's axes
-//! `r_l` in body axes and vectors `W_l` of the body. The twelve rotations of a tetrahedron
-//! determine these: over them the mean of the dyad `r_l r_m` is 1/3 of unity for l = m, and zero
-//! otherwise.
+//! The moment of forces that are constant in the world is `sum r_l x W_l`, where `r_l` are the
+//! world's axes in body axes and `W_l` are vectors of the body. The twelve rotations of a
+//! tetrahedron determine these vectors: over the twelve, the mean of the dyad `r_l r_m` is 1/3 of
+//! the unit matrix for l = m, and zero otherwise.
 //!
 //! ```text
 //! W_l = 1/8 sum over rotations of M x r_l        k_l = W_l . e
 //! ```
 //!
-//! Whether `k x e` is the moment is tested at random states; whether it may be is decided before
-//! any number is computed.
+//! Before any number is computed, it is checked that `k x e` can be the moment. Whether it is the
+//! moment is then tested at random states.
 
 use crate::mechanics::proofs::{all_vanish, cancels_in_half_turns};
 use crate::model::{Attitude, Frame, Workspace};
@@ -20,13 +20,13 @@ use crate::symbolic::{Components, Id, Number};
 use super::axis_of_symmetry::axes_of_symmetry;
 use super::solid::Solid;
 
-/// The parameters of the motion of a top.
+/// What determines the motion of a top.
 pub struct Top {
-    /// Across the axis and about it.
+    /// The moments of inertia across the axis and about it.
     pub moments: [Id; 2],
-    /// Unit vector, body axes.
+    /// The unit vector e, in body axes.
     pub axis: Components,
-    /// k, world axes.
+    /// k, in world axes.
     pub couple: Components,
 }
 
@@ -36,7 +36,7 @@ impl Top {
     }
 }
 
-/// The top that a body is under a moment, body axes; none if it is no top.
+/// The top that a moment, in body axes, makes of a body; `None` if it makes none.
 pub fn lagrange_top(solid: &Solid, work: &mut Workspace, moment: Components) -> Option<Top> {
     let arms = arms(solid, work, moment)?;
     for (moments, axis) in axes_of_symmetry(solid, work, &arms) {
@@ -67,13 +67,13 @@ fn couple_on(
     work.graph.cross(seen, axis)
 }
 
-/// A vector in world axes, in those of the body.
+/// The components in body axes of a vector given in world axes.
 fn seen_from_body(solid: &Solid, work: &mut Workspace, world: Components) -> Components {
     let vector = work.vector(Frame::WORLD, world);
     work.components(vector, solid.body)
 }
 
-/// The vectors `W_l`, if the moment depends on nothing but the attitude.
+/// The vectors `W_l`, if the moment depends only on the attitude.
 fn arms(solid: &Solid, work: &mut Workspace, moment: Components) -> Option<[Components; 3]> {
     let Attitude::Quaternion { scalar, vector } = work.attitude(solid.body) else {
         return None;
@@ -106,8 +106,8 @@ fn arms(solid: &Solid, work: &mut Workspace, moment: Components) -> Option<[Comp
     Some(arms.map(|arm| graph.scale_vector(share, arm)))
 }
 
-/// The rotations of a tetrahedron: the unit quaternions with integer components, or with
-/// half-integer ones throughout, up to their sign.
+/// The rotations of a tetrahedron, up to the sign of their quaternions: the unit quaternions whose
+/// components are all integers, or all half-integers.
 fn tetrahedral() -> impl Iterator<Item = [Number; 4]> {
     let whole =
         (0..4).map(|place| [0, 1, 2, 3].map(|part| Number::integer(i64::from(part == place))));

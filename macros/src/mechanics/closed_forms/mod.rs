@@ -1,4 +1,4 @@
-//! Motions in closed form, and their detection.
+//! Motions in closed form, and how they are found.
 
 mod about_axis;
 mod axial_torque;

@@ -9,12 +9,12 @@ use crate::symbolic::Components;
 pub struct Solid {
     /// Its axes.
     pub body: Frame,
-    /// Its inertia about G, or about the point that is held, in its axes.
+    /// Its inertia in its axes, about G or about the held point.
     pub rows: [Components; 3],
 }
 
 impl Solid {
-    /// A body that turns in space.
+    /// The part that is a single body, if it rotates in space.
     pub fn of(model: &Model, work: &mut Workspace) -> Option<Self> {
         let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
             return None;

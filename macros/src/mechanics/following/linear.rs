@@ -1,13 +1,12 @@
-//! Loads that depend on solved unknowns: they are linear in unknown reactions and accelerations
-//! together, or an error.
+//! Loads that depend on unknowns that are solved for. They must be linear in unknown reactions and
+//! accelerations together; anything else is an error.
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::proofs::all_vanish;
 use crate::model::{Load, Meaning, Point, Workspace};
 use crate::symbolic::Id;
 
-/// The words for an unknown reaction in messages, and the correct form of a load that depends on
-/// it.
+/// Words for messages: for an unknown, and for the correct form of a load that depends on it.
 #[derive(Clone, Copy)]
 pub struct Followed {
     any: &'static str,
@@ -37,7 +36,7 @@ const ACCELERATION: Followed = Followed {
 };
 
 impl Followed {
-    /// The kind that these expressions depend on.
+    /// The words for the kind of unknowns that these expressions depend on.
     fn in_parts(self, work: &Workspace, roots: &[Id]) -> Self {
         if work.accelerations_in(roots).is_empty() {
             self
@@ -47,8 +46,8 @@ impl Followed {
     }
 }
 
-/// Each load equals its value without the unknowns plus its slopes times the unknowns, proved in
-/// all states; and its point of action does not depend on them.
+/// Checks that each load equals its value without the unknowns plus its slopes times the unknowns,
+/// which is proved in all states, and that its point of action does not depend on the unknowns.
 pub fn check_linear<'l>(
     loads: impl Iterator<Item = &'l Load>,
     followed: Followed,
@@ -75,7 +74,7 @@ pub fn check_linear<'l>(
     (errors.count() == before).then_some(())
 }
 
-/// The same for a load by its components.
+/// The same for the components of one load.
 pub fn check_parts(
     work: &mut Workspace,
     (name, place): (&str, Extent),
@@ -102,7 +101,7 @@ pub fn unknowns_in(work: &Workspace, roots: &[Id]) -> Vec<Id> {
     symbols
 }
 
-/// Whether they are linear in the unknowns that they contain.
+/// Whether expressions are linear in the unknowns that they contain.
 fn is_linear(work: &mut Workspace, roots: &[Id]) -> bool {
     let symbols = unknowns_in(work, roots);
     if symbols.is_empty() {

@@ -1,4 +1,4 @@
-//! Loads that depend on solved unknowns: accelerations, and the loads of constraints.
+//! Loads that depend on unknowns that are solved for: accelerations, and the loads of constraints.
 
 mod linear;
 mod settled;

@@ -1,12 +1,12 @@
-//! Loads of a body that depend on the acceleration which they cause: added mass, or a load by the
-//! rate of an angle of attack. They are linear in it,
+//! Loads of a body that depend on the acceleration that they cause, such as added mass, or a load
+//! that depends on the rate of an angle of attack. They are linear in the acceleration,
 //!
 //! ```text
 //! m a = F_0 + A a + B w'          a in body axes, where these turn freely
 //! w' = J^-1 (M(a, w') - w x J w)
 //! ```
 //!
-//! and these terms move to the left side, where they are solved for.
+//! and these terms are moved to the left side and solved for.
 
 use crate::errors::Errors;
 use crate::mechanics::balances::{
@@ -16,7 +16,7 @@ use crate::mechanics::proofs::samples;
 use crate::model::{Frame, Inertia, Load, Meaning, Model, Pair, Variable, Vector, Workspace};
 use crate::symbolic::{Components, Equation, Graph, Id, Size};
 
-/// An acceleration on which loads depend, and its balance minus itself: zero.
+/// An acceleration on which loads depend, and the residual of its balance, which is zero.
 struct Followed {
     variable: Variable,
     axis: usize,
@@ -31,7 +31,7 @@ pub struct Settled {
 }
 
 impl Settled {
-    /// A vector with the solutions in it.
+    /// A vector with the symbols replaced by their values.
     pub fn put_into(&self, graph: &mut Graph, vector: Components) -> Components {
         if self.values.is_empty() {
             return vector;
@@ -40,7 +40,8 @@ impl Settled {
     }
 }
 
-/// Solves for the accelerations on which loads depend, from the accelerations by their symbols.
+/// Solves for the accelerations on which loads depend. The given accelerations are functions of
+/// their symbols.
 pub fn settle(
     model: &Model,
     work: &mut Workspace,
@@ -76,12 +77,12 @@ pub fn settle(
     })
 }
 
-/// The message for a load that leaves no inertia.
+/// The message for a load that cancels all inertia.
 pub fn takes_inertia(name: &str) -> String {
     format!("`{name}` cancels the inertia: nothing determines the acceleration")
 }
 
-/// All components of the linear and of the angular acceleration, if loads depend on any of them.
+/// All components of the linear or the angular acceleration if loads depend on any component of it.
 fn list_followed(model: &Model, work: &mut Workspace, accelerations: Pair) -> Vec<Followed> {
     let loads = model.loads.iter();
     let parts: Vec<Id> = loads
@@ -115,7 +116,7 @@ fn list_followed(model: &Model, work: &mut Workspace, accelerations: Pair) -> Ve
     followed
 }
 
-/// The expressions that vanish by the balance of an acceleration, along its axes.
+/// The residuals of the balance of an acceleration, along its axes; they vanish.
 fn residual(
     model: &Model,
     work: &mut Workspace,
@@ -142,7 +143,7 @@ fn residual(
     }
 }
 
-/// `J w' + w x J w - M` for a full tensor, which is then not inverted separately.
+/// `J w' + w x J w - M` for a full tensor, so that the tensor need not be inverted separately.
 fn moments_lacking(model: &Model, work: &mut Workspace, rate: Components) -> Option<Components> {
     let Inertia::Spatial(rows) = inertia_about_center(model, work) else {
         return None;
@@ -171,7 +172,7 @@ fn moments_lacking(model: &Model, work: &mut Workspace, rate: Components) -> Opt
     Some(graph.subtract_vectors(taken, moment))
 }
 
-/// The unknowns for which these are solved.
+/// The equations in these unknowns that the residuals are.
 fn equations(work: &mut Workspace, residuals: &[Id], symbols: &[Id]) -> Vec<Equation> {
     let graph = &mut work.graph;
     let zero = graph.zero();
@@ -186,7 +187,7 @@ fn equations(work: &mut Workspace, residuals: &[Id], symbols: &[Id]) -> Vec<Equa
     let mut values = samples(work, &rows.concat()).into_iter();
     let equations = rows.into_iter().zip(rest).enumerate();
     let equations = equations.map(|(row, (coefficients, rest))| {
-        // inertia is on the diagonal, and the other terms are smaller
+        // the inertia is on the diagonal, so the terms beside it are smaller
         let mut sizes = vec![Size::Beside; coefficients.len()];
         sizes[row] = Size::Terms;
         Equation {
@@ -200,7 +201,7 @@ fn equations(work: &mut Workspace, residuals: &[Id], symbols: &[Id]) -> Vec<Equa
     equations.collect()
 }
 
-/// The accelerations: the solved ones, and the others by them.
+/// The accelerations: those solved for, and the others with these put in.
 fn put_into(
     model: &Model,
     work: &mut Workspace,
@@ -251,7 +252,8 @@ fn follows(work: &Workspace, load: &Load) -> bool {
     !work.accelerations_in(&parts).is_empty()
 }
 
-/// The body with the solutions in its loads, and those by the symbols beside them.
+/// The body with the solutions put into its loads. Loads as functions of the symbols are kept
+/// beside them.
 pub fn with_settled(model: Model, work: &mut Workspace, settled: &Settled) -> Model {
     if settled.values.is_empty() {
         return model;
@@ -263,7 +265,7 @@ pub fn with_settled(model: Model, work: &mut Workspace, settled: &Settled) -> Mo
     }
 }
 
-/// A body whose loads use given accelerations.
+/// The body with loads that use given accelerations.
 pub fn as_given(model: &Model, work: &mut Workspace) -> Option<Model> {
     if model.following.is_empty() {
         return None;
@@ -282,7 +284,7 @@ pub fn as_given(model: &Model, work: &mut Workspace) -> Option<Model> {
     })
 }
 
-/// Loads with values in place of symbols.
+/// Loads with symbols replaced by values.
 fn loads_with(loads: &[Load], work: &mut Workspace, values: &[(Id, Id)]) -> Vec<Load> {
     let mut put = |vector: Vector| work.map(vector, |graph, part| graph.replaced(part, values));
     let loads = loads.iter();

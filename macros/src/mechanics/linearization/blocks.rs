@@ -1,4 +1,4 @@
-//! The blocks of a linearization, by row and column groups.
+//! The blocks of a linearization, one for each group of rows and group of columns.
 
 use crate::mechanics::proofs::vanishing;
 use crate::model::{Outline, Variable, Workspace};
@@ -6,24 +6,24 @@ use crate::symbolic::{Components, Id};
 
 use super::changes::{Changes, Column};
 
-/// The derivatives of the rates of a state by state and input.
+/// The derivatives of the rates of a state with respect to state and input.
 pub struct Linearization {
     pub accelerations: Vec<Id>,
     /// The nonzero blocks, row by row.
     pub blocks: Vec<Block>,
 }
 
-/// The derivatives of one group by another.
+/// The derivatives of one group with respect to another.
 pub struct Block {
     pub row: Row,
     pub column: Column,
-    /// Column by column.
+    /// The entries, column by column.
     pub entries: Vec<Id>,
-    /// Whether each of them may be nonzero.
+    /// Whether each entry may be nonzero.
     pub is_there: Vec<bool>,
 }
 
-/// A row group: the rate of an attitude, by its index in the tangent space; or a group of
+/// A group of rows: the rate of an attitude, by its index in the tangent space, or a group of
 /// accelerations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Row {
@@ -42,7 +42,7 @@ pub fn assemble(
     let mut written = Vec::new();
     for (number, group) in outline.tangent().iter().enumerate() {
         if group.variable == Variable::Quaternion {
-            // an attitude q exp(e): e' = dw - w x e
+            // for an attitude q exp(e): e' = dw - w x e
             let w = spin(work, group.joint);
             let columns = work.graph.unit_vectors().map(|e| work.graph.cross(e, w));
             let (row, column) = (Row::Attitude(number), Column::State(number));
@@ -69,7 +69,7 @@ pub fn blocks_by(
     }
 }
 
-/// The row group, the column group, and the entries of the block.
+/// The group of rows, the group of columns, and the entries of a block.
 type Written = (Row, Column, Vec<Id>);
 
 fn by_accelerations(outline: &Outline, changes: &Changes) -> Vec<Written> {

@@ -1,5 +1,5 @@
 //! The linearization of a body: its accelerations are differentiated in each direction of its
-//! states.
+//! tangent space.
 
 use std::collections::BTreeMap;
 

@@ -1,11 +1,11 @@
-//! The derivatives in all directions: backwards from each expression, or forwards in each
-//! direction, whichever takes fewer operations.
+//! The derivatives in all directions: backwards from each expression or forwards in each direction,
+//! whichever takes fewer operations.
 
 use crate::mechanics::variation::{self, Direction, Leaves, Slopes};
 use crate::model::{Meaning, Outline, Workspace};
 use crate::symbolic::Id;
 
-/// A column group: a group of the tangent space, an input, or a parameter.
+/// A group of columns: a group of the tangent space, an input, or a parameter.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Column {
     State(usize),
@@ -13,8 +13,8 @@ pub enum Column {
     Param(usize),
 }
 
-/// If the derivatives forwards take more operations than this, backwards is not tried. It takes long
-/// for such systems, and it was better in none of those in the tests and examples.
+/// If the forward derivatives take more operations than this, the backward ones are not tried. For
+/// such systems they take long to derive, and were better for none in the tests and examples.
 const LARGE: u32 = 2000;
 
 /// Each group of columns, with a direction for each of its components.
@@ -23,7 +23,7 @@ pub type Directions = Vec<(Column, Vec<Direction>)>;
 /// The derivatives of the accelerations in each of these directions.
 pub type Changes = Vec<(Column, Vec<Vec<Id>>)>;
 
-/// The directions in which one component of an input changes.
+/// The directions in which one component of an input changes by one.
 pub fn of_inputs(outline: &Outline, work: &mut Workspace) -> Directions {
     let inputs = (0..outline.inputs.len()).map(|number| {
         let symbols = components(work, |part| Meaning::Input(number, part)).into_iter();
@@ -40,7 +40,8 @@ pub fn components(work: &Workspace, meaning: impl Fn(Option<usize>) -> Meaning) 
     symbols.collect()
 }
 
-/// The result of `finish` for the changes of `roots`, computed together with the `accelerations`.
+/// The changes of `roots`, passed through `finish`. They are computed together with the
+/// `accelerations`, which their cost includes.
 pub fn changes(
     work: &mut Workspace,
     roots: &[Id],
@@ -83,15 +84,15 @@ pub fn changes(
     }
 }
 
-/// The operations of the derivatives together with the accelerations.
+/// The number of operations of the derivatives and the accelerations together.
 fn cost(work: &Workspace, accelerations: &[Id], changes: &Changes) -> u32 {
     let entries = changes.iter().flat_map(|(_, changes)| changes.concat());
     let entries: Vec<Id> = accelerations.iter().copied().chain(entries).collect();
     work.graph.late_cost(&entries).total()
 }
 
-/// Accelerations that are quadratic have derivatives that are linear: these are multiplied out,
-/// group by group, where that takes fewer operations.
+/// Quadratic accelerations have linear derivatives. These are multiplied out, group by group, where
+/// that takes fewer operations.
 fn multiplied_out(work: &mut Workspace, accelerations: &[Id], mut changes: Changes) -> Changes {
     let mut least = cost(work, accelerations, &changes);
     for group in 0..changes.len() {

@@ -1,4 +1,5 @@
-//! The derivatives of accelerations by states and inputs, and by parameters.
+//! The derivatives of accelerations with respect to states and inputs, and with respect to
+//! parameters.
 
 use crate::model::{Meaning, Outline, Workspace};
 
@@ -6,7 +7,7 @@ use super::blocks::{Linearization, assemble, blocks_by};
 use super::changes::{Column, Directions, changes, components, of_inputs};
 use super::differentiated::{Differentiated, Tangent};
 
-/// The derivatives by states and inputs.
+/// The derivatives with respect to states and inputs.
 pub fn linearize(
     outline: &Outline,
     subject: &impl Tangent,
@@ -31,8 +32,8 @@ pub fn linearize(
     assemble(outline, work, accelerations, &changes, spin)
 }
 
-/// The derivatives by parameters. Nothing moves, so the chain rule passes through rotations as
-/// through everything else, and through expressions of parameters alone.
+/// The derivatives with respect to parameters. Since nothing moves, the chain rule passes through
+/// rotations as through any other expressions, and through expressions of parameters alone.
 pub fn sensitivity(
     outline: &Outline,
     work: &mut Workspace,

@@ -1,15 +1,16 @@
-//! A random state of a body, modulo the prime of the zero test.
+//! A random state of a body, modulo the prime of the test for zeros.
 
 use crate::model::{Meaning, Variable, Workspace};
 use crate::symbolic::{Id, Residue, free};
 
-/// A random state. Dependent components are rational in the free ones: a unit quaternion and a unit
-/// vector by stereographic projection, the rate of the unit vector as a product with it.
+/// A random state. Dependent components are rational functions of free ones: a unit quaternion and
+/// a unit vector come from a stereographic projection, and the rate of the unit vector is a cross
+/// product with it.
 pub struct RandomState {
     pub number: u64,
-    /// The attitude of the first body; others have different ones.
+    /// The attitude of the first body; other bodies have other attitudes.
     pub quaternion: [Residue; 4],
-    /// The axis of each body about which it is half a turn further.
+    /// The body axis about which each body is rotated further by half a turn, if any.
     half_turn: Option<usize>,
     pub axis: [Residue; 3],
     pub axis_rate: [Residue; 3],
@@ -29,8 +30,8 @@ impl RandomState {
         }
     }
 
-    /// With attitudes half a turn about an axis of the body further: their quaternions times i, j
-    /// or k.
+    /// The state with all attitudes rotated further by half a turn about an axis of the body: their
+    /// quaternions times i, j or k.
     pub fn turned(self, about: Option<usize>) -> Self {
         Self {
             half_turn: about,
@@ -66,13 +67,13 @@ impl RandomState {
     }
 }
 
-/// `(1 - s^2, 2 s) / (1 + s^2)` for a vector s: a unit vector of one more dimension.
+/// `(1 - s^2, 2 s) / (1 + s^2)` for a vector s: a unit vector with one more dimension.
 pub fn unit_vector<const N: usize, const M: usize>(s: [Residue; N]) -> [Residue; M] {
     let square = s
         .iter()
         .fold(Residue::ZERO, |sum, part| sum + *part * *part);
     let below = Residue::ONE + square;
-    // -1 is no square of a residue, but a sum of squares may be -1
+    // -1 is not the square of a residue, but a sum of squares may be -1
     let scale = below.reciprocal().unwrap_or(Residue::ONE);
     core::array::from_fn(|part| match part.checked_sub(1) {
         None => (Residue::ONE + -square) * scale,

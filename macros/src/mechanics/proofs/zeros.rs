@@ -10,7 +10,7 @@ pub fn all_vanish(work: &Workspace, roots: &[Id]) -> bool {
     samples(work, roots).iter().all(Sample::is_zero)
 }
 
-/// Whether each of `roots` is proved to be zero in all states. They are tested together, and
+/// Whether each of `roots` is proved to be zero in all states. They are tested together, or
 /// separately if residues cannot decide one of them.
 pub fn vanishing(work: &Workspace, roots: &[Id]) -> Vec<bool> {
     let samples = samples(work, roots);
@@ -25,8 +25,9 @@ pub fn samples(work: &Workspace, roots: &[Id]) -> Vec<Sample> {
     work.graph.samples(roots, |id| state.of(work, id))
 }
 
-/// Whether the sums of `roots` over an attitude and its half turns about the body axes are
-/// proved to be zero: those of the entries of its matrix are, and of everything linear in them.
+/// Whether the sums of `roots` over an attitude and its half turns about the body axes are proved
+/// to be zero. The entries of the rotation matrix have this property, and so has everything linear
+/// in them.
 pub fn cancels_in_half_turns(work: &Workspace, roots: &[Id]) -> bool {
     let states = [None, Some(0), Some(1), Some(2)].map(|axis| RandomState::draw(0).turned(axis));
     let places = states.each_ref().map(|state| |id| state.of(work, id));

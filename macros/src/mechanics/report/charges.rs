@@ -3,7 +3,7 @@
 use crate::model::{Model, Potential, Workspace, shown};
 use crate::symbolic::Number;
 
-/// For each field, the point of its resultant, `r_0 = p / sum e`, or that there is none.
+/// For each field: the point of its resultant, `r_0 = p / sum e`, or that there is no such point.
 pub fn list_centers(model: &Model, work: &Workspace) -> Vec<String> {
     let potentials = model.potentials.list.iter();
     potentials

@@ -7,8 +7,8 @@ use crate::symbolic::{Function, Number, Spectrum, Symmetry};
 /// A principal moment and the unit vector of its axis.
 type Moment = (Number, [Number; 3]);
 
-/// Principal moments and axes about G, in body axes, and the class of the body; nothing
-/// unless the body rotates in space and its tensor is known.
+/// Principal moments and axes about G, in body axes, and the class of the body. Empty unless the
+/// body rotates in space and its tensor is known.
 pub fn classify(model: &Model, work: &mut Workspace) -> Vec<String> {
     let Inertia::Spatial(rows) = model.inertia else {
         return Vec::new();
@@ -57,7 +57,7 @@ fn about_axis(symmetry: Symmetry) -> Vec<String> {
     lines
 }
 
-/// Moments in ascending order.
+/// The description of a body with three different moments, in ascending order.
 fn general(mut principal: [Moment; 3], is_flat: bool) -> Vec<String> {
     principal.sort_by(|a, b| a.0.cmp(&b.0));
     let [least, middle, largest] = principal;
@@ -74,7 +74,7 @@ fn general(mut principal: [Moment; 3], is_flat: bool) -> Vec<String> {
     lines
 }
 
-/// The ratio of the largest moment to the least, beyond which a body is like a rod.
+/// If the largest moment divided by the smallest is greater than this, the body is like a rod.
 const SLENDER: i64 = 1000;
 
 const PLANAR: &str = "planar: all mass is in the plane normal to ";

@@ -1,4 +1,4 @@
-//! The balances of each body as laws: its mass or inertia, and the names of the loads.
+//! The balances of each body, written as laws: its mass or inertia, and the names of the loads.
 
 use crate::families::LoadKind;
 use crate::mechanics::balances::inertia_about_center;
@@ -7,13 +7,13 @@ use crate::symbolic::{Components, Graph, Id, Number};
 
 /// A balance of a body.
 pub struct Law {
-    /// The body of a system.
+    /// The name of the body, if it is one of a system.
     pub body: Option<String>,
     pub left: Left,
     pub right: Vec<Term>,
 }
 
-/// The left side of a balance; entries that are not constant have no number.
+/// The left side of a balance. Entries that are not constant are `None`.
 pub enum Left {
     /// `m a`
     Force(Option<Number>),
@@ -34,7 +34,7 @@ type Entries = [[Option<Number>; 3]; 3];
 pub struct Term {
     pub name: String,
     pub part: Part,
-    /// It acts on another body, and this one gets its opposite.
+    /// Whether the load acts on another body, and its opposite on this one.
     pub is_opposite: bool,
 }
 
@@ -85,7 +85,7 @@ pub fn list_laws(model: &Model, work: &mut Workspace) -> Vec<Law> {
     laws(None, lefts, terms)
 }
 
-/// The laws of each body of a system; joints act on both of their bodies.
+/// The laws of each body of a system. A joint acts on both of its bodies.
 pub fn list_laws_of_system(system: &System, work: &mut Workspace) -> Vec<Law> {
     let mut all = Vec::new();
     let is_loaded = |joint: &&TreeJoint| !joint.kind.is_free() || !joint.driven_by.is_empty();
@@ -110,7 +110,7 @@ pub fn list_laws_of_system(system: &System, work: &mut Workspace) -> Vec<Law> {
                 terms.push(Term::new(&name, Part::Moment, is_opposite));
             }
         }
-        // any part of such a load may be zero
+        // any part of the load of a constraint may be zero
         for constraint in &system.constraints.list {
             add_force(&mut terms, &constraint.name, true, false);
             terms.push(Term::new(&constraint.name, Part::Moment, false));
@@ -183,7 +183,7 @@ fn add_force(terms: &mut Vec<Term>, name: &str, has_arm: bool, is_opposite: bool
     }
 }
 
-/// Whether a point is another than G, or than the one that is held.
+/// Whether a point differs from G, or from the held point.
 fn has_arm(
     point: Point,
     (state, held): (&State, Option<Components>),

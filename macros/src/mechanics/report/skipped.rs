@@ -1,4 +1,4 @@
-//! The terms that the equations of a body do not contain, and why: the text of `SKIPPED`.
+//! The terms that the equations of a body do not contain, and the reasons: the text of `SKIPPED`.
 
 use crate::mechanics::balances::{EulerForm, inertia_about_center};
 use crate::mechanics::structure::{Structure, Symmetry};
@@ -22,7 +22,7 @@ pub fn list_skipped(
     skipped
 }
 
-/// A symmetric body whose spin nothing changes.
+/// Mentions that nothing changes the spin of a symmetric body.
 fn skip_spin(model: &Model, structure: &Structure, skipped: &mut Vec<String>) {
     let Symmetry::About(axis) = structure.angular.body else {
         return;
@@ -47,7 +47,8 @@ fn skip_equations(model: &Model, skipped: &mut Vec<String>) {
     }
 }
 
-/// The entries of the tensor about G, or about the held point, that the balance does not contain.
+/// Mentions entries of the tensor, about G or about the held point, that the balance does not
+/// contain.
 fn skip_gyroscopic(
     model: &Model,
     work: &mut Workspace,
@@ -95,12 +96,12 @@ fn skip_gyroscopic(
     }
 }
 
-/// Parts of the state that the accelerations do not depend on.
+/// Mentions parts of the state that the accelerations do not depend on.
 fn skip_state(model: &Model, work: &Workspace, accelerations: Pair, skipped: &mut Vec<String>) {
     let roots = accelerations.entries();
     let (moves, turns) = (model.motion.translates(), model.motion.has_attitude());
     let is_rod = model.motion.is_line();
-    // whether the motion has it, its name, and its variables
+    // whether the motion has this part, its name, and its variables
     let parts: [(bool, &str, &[Variable]); 6] = [
         (moves, "position", &[Variable::Position]),
         (moves, "velocity", &[Variable::Velocity]),

@@ -1,5 +1,5 @@
-//! Parts of loads that do not appear in the equations: vanishing moments, sums computed
-//! before the state is known, unused parts of the rotation.
+//! Parts of loads that do not appear in the equations: moments that vanish, sums that are computed
+//! before the state is known, parts of the rotation that are not used.
 
 use crate::mechanics::balances::{is_along_axis, is_diagonal, resultant};
 use crate::model::{AXES, Attitude, Frame, Inertia, Load, Model, Pair, Workspace};
@@ -20,7 +20,7 @@ pub fn skip_loads(
     skip_mass(model, work, &accelerations.entries(), skipped);
 }
 
-/// Forces whose sum is zero leave a couple.
+/// Mentions forces that add up to zero, so that only a couple remains.
 fn skip_resultant(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
     let acts = |load: &Load| !load.force.is_zero();
     if !model.motion.translates() || !model.loads.iter().any(acts) {
@@ -69,7 +69,7 @@ fn skip_moments(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) 
     }
 }
 
-/// A potential has no force or no moment along variables that it does not contain.
+/// Mentions that a potential has no force or moment along variables that it does not contain.
 fn skip_potentials(model: &Model, skipped: &mut Vec<String>) {
     let derived = model.loads.iter().filter(|load| load.potential.is_some());
     for load in derived {
@@ -102,7 +102,7 @@ fn skip_potentials(model: &Model, skipped: &mut Vec<String>) {
     }
 }
 
-/// A uniform field acts on the sum of the charges and on their dipole (34.9).
+/// Mentions that a uniform field acts only on the sum of the charges and on their dipole (34.9).
 fn merge_charges(model: &Model, skipped: &mut Vec<String>) {
     for potential in &model.potentials.list {
         if let Some(charges) = potential.charges.filter(|charges| charges.count > 1) {
@@ -114,7 +114,7 @@ fn merge_charges(model: &Model, skipped: &mut Vec<String>) {
     }
 }
 
-/// Loads that are the same in all states are added in advance.
+/// Mentions loads that are the same in all states and are therefore added in advance.
 fn merge_constants(model: &Model, work: &mut Workspace, skipped: &mut Vec<String>) {
     if model.motion.is_line() {
         return;
@@ -156,8 +156,8 @@ fn merge_constants(model: &Model, work: &mut Workspace, skipped: &mut Vec<String
     }
 }
 
-/// A force or a moment that is known before the state is, in these axes; if these are the world's,
-/// at G.
+/// Whether the force or moment of a load, in these axes, is known before the state is. In world
+/// axes, the load must also be a force at G.
 fn is_constant(model: &Model, work: &Workspace, load: &Load, frame: Frame) -> bool {
     let graph = &work.graph;
     let Some(offset) = load.point.offset(model.state.body) else {
@@ -174,8 +174,8 @@ fn is_constant(model: &Model, work: &Workspace, load: &Load, frame: Frame) -> bo
         && (frame == model.state.body || is_at_center)
 }
 
-/// One column of the rotation suffices for vectors along a body axis, one row for vectors along a
-/// world axis.
+/// Mentions unused parts of the rotation: vectors along a body axis need only one column of it, and
+/// vectors along a world axis only one row.
 fn skip_rotation(model: &Model, work: &mut Workspace, roots: &[Id], skipped: &mut Vec<String>) {
     if !matches!(work.attitude(model.state.body), Attitude::Quaternion { .. }) {
         return;
@@ -190,7 +190,7 @@ fn skip_rotation(model: &Model, work: &mut Workspace, roots: &[Id], skipped: &mu
     for (to, lines, axes) in parts {
         let mut along = [false; 3];
         for turn in turns.iter().filter(|turn| turn.to == to) {
-            // without the factor of the multiplied expression
+            // without the factor that the expression is multiplied by
             let late = turn.turned.map(|part| {
                 let (_, magnitude) = graph.split_sign(part);
                 graph.split_factor(magnitude).1
@@ -216,7 +216,7 @@ fn skip_rotation(model: &Model, work: &mut Workspace, roots: &[Id], skipped: &mu
     }
 }
 
-/// A mass that is a parameter, and that no acceleration depends on.
+/// Mentions a mass that is a parameter, if no acceleration depends on it.
 fn skip_mass(model: &Model, work: &Workspace, roots: &[Id], skipped: &mut Vec<String>) {
     let graph = &work.graph;
     let Some(mass) = model.mass else {

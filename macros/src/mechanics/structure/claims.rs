@@ -1,5 +1,5 @@
-//! The dependencies and symmetries of the accelerations of a body, on which generic
-//! integrators branch.
+//! What the accelerations of a body depend on, and their symmetries. Generic integrators use these
+//! properties to choose how they integrate.
 
 use std::collections::HashMap;
 
@@ -10,32 +10,32 @@ use crate::symbolic::{Components, Id, Number};
 
 use super::symmetry::{Space, Symmetry, symmetries};
 
-/// The properties of a body for integrators.
+/// The properties of a body that integrators can use.
 #[derive(Clone)]
 pub struct Structure {
     pub linear: Dependence,
     pub angular: Dependence,
-    /// G does not accelerate.
+    /// Whether G does not accelerate.
     pub is_force_free: bool,
-    /// No moment acts about G, or about the held point.
+    /// Whether no moment acts about G, or about the held point.
     pub is_torque_free: bool,
-    /// Nothing rotates the body about its axes of symmetry.
+    /// Whether there is no angular acceleration about the axes of symmetry.
     pub keeps_spin: bool,
-    /// The axis of symmetry, a unit vector in body axes, if the body may be rotated about it and
-    /// keeps its spin.
+    /// The axis of symmetry, as a unit vector in body axes, if the body axes may be rotated about
+    /// it and the body keeps its spin.
     pub spin_axis: Option<[Number; 3]>,
-    /// The axes for which a motion stays in the plane perpendicular to it.
+    /// For each axis, whether a motion in the plane perpendicular to it stays in that plane.
     pub planes: [bool; 3],
 }
 
-/// The dependencies of one of the accelerations.
+/// What one of the accelerations depends on.
 #[derive(Clone)]
 pub struct Dependence {
-    /// In the order of [`QUANTITIES`].
+    /// Whether it depends on each quantity, in the order of [`QUANTITIES`].
     pub reads: [bool; 7],
-    /// Directions about which the world may be rotated.
+    /// The directions about which the world may be rotated.
     pub world: Symmetry,
-    /// Directions about which the axes of the body may be rotated.
+    /// The directions about which the axes of the body may be rotated.
     pub body: Symmetry,
 }
 
@@ -125,8 +125,8 @@ fn is_torque_free(model: &Model, work: &mut Workspace, angular: &Components) -> 
     all_vanish(work, &moment) || model.constraints.is_empty() && has_no_moment(model, work)
 }
 
-/// Whether the moments of all loads vanish, separately in body axes and in world axes: for a tensor
-/// in principal axes `J w' + w x J w` may not show it.
+/// Whether the moments of all loads vanish, in body axes and in world axes separately. For a tensor
+/// in principal axes, `J w' + w x J w` may not show this.
 fn has_no_moment(model: &Model, work: &mut Workspace) -> bool {
     if model.motion.is_hinged() || model.state.axis.is_some() {
         return false;
@@ -154,8 +154,8 @@ fn keeps_spin(work: &mut Workspace, angular: &Components, axes: &Space) -> bool 
     !along.is_empty() && all_vanish(work, &along)
 }
 
-/// Whether a motion in the plane through the world's origin perpendicular to this axis, with the
-/// same body axis along it, has no acceleration out of the plane.
+/// Whether a motion has no acceleration out of the plane through the world's origin perpendicular
+/// to this axis, if it lies in that plane and the same body axis is along this axis.
 fn stays_in_plane(
     model: &Model,
     work: &mut Workspace,

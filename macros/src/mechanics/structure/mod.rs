@@ -1,4 +1,4 @@
-//! Properties for integrators: symmetries, and dependencies of the accelerations.
+//! Properties for integrators: symmetries of the accelerations, and what these depend on.
 
 mod claims;
 mod symmetry;

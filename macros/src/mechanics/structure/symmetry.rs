@@ -7,10 +7,9 @@
 //! the body     w' = e x w    q' = -q (0, e) / 2
 //! ```
 //!
-//! and an acceleration is symmetric about e if it changes like the axes in which it is written.
-//! This condition is linear in e. Directions that satisfy it at some random states, and again
-//! at one more random state, on every branch, satisfy it in all states. Only the answer is
-//! emitted.
+//! and an acceleration is symmetric about e if it changes as the axes do in which it is written.
+//! This condition is linear in e. Directions that satisfy it at some random states, and then at one
+//! more random state, on every branch, satisfy it in all states. Only the result is emitted.
 
 use crate::mechanics::balances::inertia_about_center;
 use crate::mechanics::proofs::RandomState;
@@ -21,8 +20,8 @@ use crate::symbolic::{
     on_branches,
 };
 
-/// Directions about which a rotation changes nothing; groups of rotations have no other sets of
-/// them.
+/// The directions about which a rotation changes nothing. A group of rotations has no other sets of
+/// directions than these.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Symmetry {
     None,
@@ -30,7 +29,7 @@ pub enum Symmetry {
     Every,
 }
 
-/// Directions, spanned by vectors that are independent.
+/// A set of directions, spanned by independent vectors.
 pub struct Space<V = Number> {
     pub basis: Vec<[V; 3]>,
 }
@@ -44,7 +43,7 @@ impl Space<Residue> {
         }
     }
 
-    /// Keeps the directions that are perpendicular to `normal`.
+    /// Keeps only the directions that are perpendicular to `normal`.
     fn cut(&mut self, normal: &[Residue; 3]) {
         let dot = |vector: &[Residue; 3]| {
             vector[0] * normal[0] + vector[1] * normal[1] + vector[2] * normal[2]
@@ -63,7 +62,7 @@ impl Space<Residue> {
         }
     }
 
-    /// The same directions in numbers, if these are short.
+    /// The same directions in numbers, if these have few digits.
     fn numbers(&self) -> Option<Space> {
         let basis = self.basis.iter().map(|direction| {
             let lead = direction
@@ -78,7 +77,7 @@ impl Space<Residue> {
         })
     }
 
-    /// A known axis, if that is the only direction.
+    /// The known axis, if it is the only direction.
     fn along(&self, axis: &[Number; 3]) -> Option<Space> {
         let [direction] = self.basis.as_slice() else {
             return None;
@@ -125,8 +124,8 @@ fn unit(direction: &[Number; 3]) -> Option<[Number; 3]> {
     Some([x?, y?, z?])
 }
 
-/// The directions about which the world, and the axes of the body, may be rotated: for the linear
-/// acceleration, and for the angular one.
+/// The directions about which the world may be rotated and those about which the axes of the body
+/// may be, for the linear acceleration and for the angular one.
 pub fn symmetries(
     model: &Model,
     work: &mut Workspace,
@@ -146,7 +145,7 @@ pub fn symmetries(
     let world = about.map(|e| Direction::turn_of_world(model, work, e));
     let body = about.map(|e| Direction::turn_of_axes(model, work, e));
     let known = axis_of_tensor(model, work);
-    // the linear acceleration, and that of the axis of a rod, are written in world axes
+    // the linear acceleration, and the acceleration of the axis of a rod, are written in world axes
     [(linear, true), (angular, is_rod)].map(|(vector, is_in_world)| {
         let roots = roots(&mut work.graph, vector);
         [(&world, is_in_world, axes), (&body, !is_in_world, of_body)].map(
@@ -176,9 +175,9 @@ fn axis_of_tensor(model: &Model, work: &mut Workspace) -> Option<[Number; 3]> {
     }
 }
 
-/// The conditions of branches, the arguments of piecewise functions, and divisors, also of a
-/// tangent: if these are unchanged, nothing jumps. Without them, expressions without a slope would
-/// count as unchanged: `atan(tan x) - x`, `x / |x|`.
+/// The conditions of branches, the arguments of piecewise functions, and divisors, including those
+/// of a tangent. If these are unchanged, nothing jumps. Without them, expressions without a slope
+/// would count as unchanged: `atan(tan x) - x`, `x / |x|`.
 fn guards(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
     let mut guards = Vec::new();
     for id in graph.reachable(roots, |_| true) {
@@ -205,24 +204,24 @@ fn roots(graph: &mut Graph, vector: &Components) -> Vec<Id> {
     vector.iter().copied().chain(guards).collect()
 }
 
-/// Whether rotations about the three axes change a vector and the conditions of its branches.
+/// A test of which rotations leave a vector and the conditions of its branches unchanged.
 struct Case<'a> {
     work: &'a Workspace,
-    /// The vector first.
+    /// The vector, followed by the conditions.
     roots: &'a [Id],
     turns: &'a [Direction; 3],
-    /// Whether they rotate the axes in which the vector is written.
+    /// Whether the rotations also rotate the axes in which the vector is written.
     is_turned: bool,
-    /// The possible directions.
+    /// The axes that span the possible directions.
     axes: &'a [usize],
-    /// An axis that may be one of them.
+    /// An axis that may be one of the directions.
     known: &'a Option<[Number; 3]>,
 }
 
 impl Case<'_> {
-    /// The directions that satisfy the conditions at some random states, and all again at another
-    /// one: axes that do not depend on the state. For axes whose directions are long numbers
-    /// nothing is claimed.
+    /// The directions that satisfy the conditions at some random states, and all of them again at
+    /// another one, so that they do not depend on the state. Nothing is claimed for directions
+    /// whose components have many digits.
     fn space(&self) -> Space {
         let none = Space { basis: Vec::new() };
         if self.axes.is_empty() {
@@ -243,7 +242,7 @@ impl Case<'_> {
                 for normal in changes {
                     match normal {
                         [Some(x), Some(y), Some(z)] => space.cut(&[x, y, z]),
-                        // an expression without a value is not known to be symmetric
+                        // an expression without a value cannot be proved symmetric
                         _ => return none,
                     }
                 }
@@ -258,7 +257,8 @@ impl Case<'_> {
             .unwrap_or(none)
     }
 
-    /// The change of each root minus its rotation, for each axis.
+    /// For each root, its changes under rotations about the three axes, minus the rotation of its
+    /// own axes.
     fn changes(
         &self,
         tape: &Tape<'_>,

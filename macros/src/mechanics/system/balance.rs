@@ -1,5 +1,5 @@
-//! The balances of each body of a system: given loads, those of its joints, and
-//! those of its motion.
+//! The balances of each body of a system: the given loads, those of its joints, and those of its
+//! motion.
 
 use proc_macro2::Ident;
 
@@ -66,7 +66,7 @@ fn summed(work: &mut Workspace, whole: [Vector; 2], part: [Vector; 2]) -> [Vecto
     [work.add(whole[0], part[0]), work.add(whole[1], part[1])]
 }
 
-/// The loads of joints on a body, moment about its G.
+/// The loads of joints on a body; the moment is about its G.
 fn of_joints(
     system: &System,
     work: &mut Workspace,
@@ -94,7 +94,7 @@ fn of_joints(
     loads.collect()
 }
 
-/// The loads of written constraints on a body, moment about its G.
+/// The loads of written constraints on a body; the moment is about its G.
 fn of_constraints(
     system: &System,
     work: &mut Workspace,
@@ -110,7 +110,7 @@ fn of_constraints(
     loads.collect()
 }
 
-/// The given force and moment of each joint on the carried body, world axes.
+/// The given force and moment of each joint on the body that it carries, in world axes.
 fn joint_loads<'a>(
     system: &'a System,
     work: &mut Workspace,
@@ -132,8 +132,8 @@ fn joint_loads<'a>(
     loads.collect()
 }
 
-/// The load of each written constraint on each body, at the point that its joint holds, from the
-/// given load.
+/// The loads of each written constraint on each body, from the given load of the constraint. They
+/// act at the point that the joint of the body holds.
 fn loads_of_constraints(system: &System, work: &mut Workspace) -> Vec<Vec<[Vector; 2]>> {
     let Some(form) = &system.constraints.form else {
         return Vec::new();
@@ -154,7 +154,7 @@ fn loads_of_constraints(system: &System, work: &mut Workspace) -> Vec<Vec<[Vecto
     units.collect()
 }
 
-/// `m a_G` and `J w' + w x J w`: the loads of its motion.
+/// `m a_G` and `J w' + w x J w`: the loads that the motion of a body takes.
 fn taken(
     system: &System,
     work: &mut Workspace,

@@ -1,5 +1,5 @@
-//! The distance of a state from its constraints, and the correction along their slopes,
-//! in the metric of the kinetic energy of each coordinate alone.
+//! The distance of a state from its constraints, and the correction along their slopes. The metric
+//! is the kinetic energy of each coordinate by itself.
 
 use crate::mechanics::tree::link::Link;
 use crate::mechanics::unknowns::{Consistency, Reach, reached, summed_size};
@@ -10,8 +10,8 @@ use super::closed::Closed;
 use super::equations::SystemEquations;
 use super::rates::order;
 
-/// The constraints as the runtime sees them, each with the rounding that it may have in a state of
-/// this size.
+/// The constraints as they are passed to the runtime, each with the rounding error that it may have
+/// in a state of this size.
 pub fn derive_system_consistency(
     system: &System,
     work: &mut Workspace,
@@ -30,14 +30,16 @@ pub fn derive_system_consistency(
     let rows = closed.rows().enumerate();
     let rows = rows.map(|(number, row)| {
         let own = couplings[number][number];
-        // one that is flat where a linkage folds is off by as much as the others of its joint
+        // a row that is flat where a linkage folds may be off by as much as the other rows of its
+        // joint
         let part = parts[number];
         let is_alike = |other: usize| part.is_some() && parts[other] == part;
         let alike = (0..couplings.len()).filter(|other| is_alike(*other));
         let largest = alike.fold(own, |largest, other| {
             graph.apply(Function::Max, &[largest, couplings[other][other]])
         });
-        // the terms of one angle or one rate that is kept at zero do not bound its rounding
+        // if a constraint keeps a single angle or rate at zero, its own terms do not bound its
+        // rounding error
         let mut within = |value: Id, coupling: Id, of_state: Id| {
             let size = summed_size(graph, value);
             reached(graph, size, coupling, of_state)
@@ -63,7 +65,7 @@ pub fn derive_system_consistency(
     rows.collect()
 }
 
-/// The change of the coordinates by one unit of each row, and the resulting changes of all rows.
+/// The change of the coordinates per unit of each row, and the resulting changes of all rows.
 fn corrections(graph: &mut Graph, closed: &Closed) -> (Vec<Vec<Id>>, Vec<Vec<Id>>) {
     let mut directions = Vec::new();
     for row in closed.rows() {
@@ -83,8 +85,8 @@ fn corrections(graph: &mut Graph, closed: &Closed) -> (Vec<Vec<Id>>, Vec<Vec<Id>
     (directions, couplings)
 }
 
-/// As twice the kinetic energy, with one in place of the rate of each rotation, and zero for each
-/// slide.
+/// Twice the kinetic energy, as below, with the rate of each rotation set to one and that of each
+/// slide to zero.
 fn turn(work: &mut Workspace, equations: &SystemEquations, inertias: &[Id]) -> Id {
     let freedoms = equations.built.tree.links.iter().flat_map(Link::open);
     let turning = freedoms
@@ -94,7 +96,7 @@ fn turn(work: &mut Workspace, equations: &SystemEquations, inertias: &[Id]) -> I
     work.graph.sum(&inertias)
 }
 
-/// Twice the kinetic energy, as if each freedom moved alone.
+/// Twice the kinetic energy, as if each freedom moved by itself.
 fn motion(work: &mut Workspace, equations: &SystemEquations, inertias: &[Id]) -> Id {
     let freedoms = equations.built.tree.links.iter().flat_map(Link::open);
     let graph = &mut work.graph;

@@ -23,12 +23,12 @@ pub struct SystemEquations {
     pub switches: Vec<Switch>,
     pub partial: Vec<Partial>,
     left_out: Vec<String>,
-    /// Which joints move by the balances of a single body.
+    /// For each joint, whether it moves by the balances of a single body.
     pub(super) alone: Vec<bool>,
-    /// The tree with chosen origins and axes, after the reductions.
+    /// The tree after the reductions, with the chosen origins and axes.
     pub(super) reduced: Tree,
     pub(super) built: Built,
-    /// The solution under constraints, if there are any.
+    /// What is solved for under constraints, if there are any.
     pub(super) closed: Option<Closed>,
 }
 
@@ -90,13 +90,13 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
 }
 
 impl SystemEquations {
-    /// The tree, with the constraint loads on its links.
+    /// The tree with the loads of constraints on its links.
     pub(super) fn loaded(&self) -> &Tree {
         let closed = self.closed.as_ref();
         closed.map_or(&self.built.tree, |closed| &closed.loaded)
     }
 
-    /// The symbols of accelerations, and of constraint loads, with their solutions.
+    /// The symbols of accelerations and of the loads of constraints, each with its solution.
     pub fn solved(&self, system: &System) -> Vec<(Id, Id)> {
         let joints = system.joints.iter().zip(&self.accelerations);
         let accelerations = joints.flat_map(|(joint, found)| {
@@ -108,7 +108,7 @@ impl SystemEquations {
         accelerations.chain(kept).collect()
     }
 
-    /// The solutions for the symbols on which loads depend.
+    /// The solutions for the symbols that loads depend on.
     pub fn values(&self) -> &[(Id, Id)] {
         let closed = self.closed.as_ref();
         closed.map_or(&[], |closed| &closed.settled)
@@ -121,7 +121,7 @@ impl SystemEquations {
     }
 
     /// Reports joints that depend on each other, written constraints that are trivial or redundant,
-    /// and loads that leave no inertia.
+    /// and loads that cancel all inertia.
     pub fn check(&self, system: &System, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
         let Some(closed) = &self.closed else {
             return check_independence(system, work, &self.built, errors);
@@ -142,7 +142,7 @@ impl SystemEquations {
     }
 }
 
-/// The change of the state with the rates of the open coordinates.
+/// How the state changes with the rates of the open coordinates.
 fn coordinates(system: &System, work: &mut Workspace, built: &Built) -> Coordinates {
     let freedoms = built.tree.links.iter().flat_map(Link::open);
     let mut by_freedom = vec![work.graph.zero(); freedoms.count()];
@@ -163,7 +163,8 @@ fn follows(system: &System, work: &Workspace) -> bool {
     !work.accelerations_in(&parts).is_empty()
 }
 
-/// All loads, drives and rates of user-defined states by name, with their components.
+/// The names of all loads and drives, and of the rates of user-defined states, with their
+/// components.
 pub fn loads(system: &System, work: &Workspace) -> Vec<(String, Vec<Id>)> {
     let loads = system.bodies.iter().flat_map(|body| &body.loads);
     let loads = loads.map(|load| parts(load, work));
@@ -173,7 +174,7 @@ pub fn loads(system: &System, work: &Workspace) -> Vec<(String, Vec<Id>)> {
     loads.chain(drives).chain(rates).collect()
 }
 
-/// `rope`: between `mast` and the ground
+/// Text such as "`rope`: between `mast` and the ground".
 fn described(tie: &Tie) -> String {
     let ends = tie.bodies.each_ref().map(|body| match body {
         Some(body) => format!("`{body}`"),
@@ -182,7 +183,7 @@ fn described(tie: &Tie) -> String {
     format!("`{}`: between {} and {}", tie.name, ends[0], ends[1])
 }
 
-/// The bodies and joints of a system, and the terms that do not appear in its equations.
+/// Describes the bodies and joints of a system, and the terms that do not appear in its equations.
 pub fn describe_system(
     system: &System,
     work: &mut Workspace,

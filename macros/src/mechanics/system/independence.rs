@@ -1,5 +1,4 @@
-//! Joints with massless bodies between them, which must move a body with mass in independent
-//! ways.
+//! Joints with massless bodies between them. They must move bodies with mass in independent ways.
 
 use crate::errors::Errors;
 use crate::mechanics::proofs::samples;
@@ -7,8 +6,8 @@ use crate::mechanics::tree::{Built, MassMatrix};
 use crate::model::{Labels, System, Workspace};
 use crate::symbolic::{Id, Sample};
 
-/// Reports joints of a tree whose motion others can undo, so that no mass moves: the mass matrix is
-/// singular in all states.
+/// Reports joints of a tree whose motion other joints can undo, so that no mass moves: then the
+/// mass matrix is singular in all states.
 pub fn check_independence(
     system: &System,
     work: &mut Workspace,
@@ -41,8 +40,8 @@ pub fn check_independence(
     sound
 }
 
-/// The freedoms that have no inertia in a matrix once those beyond them are free; proved in all
-/// states.
+/// The freedoms that have no inertia in a matrix once the later ones are free, which is proved in
+/// all states.
 fn dependent(work: &Workspace, rows: &[Vec<Id>]) -> Vec<usize> {
     let all = samples(work, &rows.concat());
     let mut left: Vec<Vec<Sample>> = all

@@ -1,15 +1,15 @@
-//! Jacobians of points: their velocities by the rates of the joints.
+//! Jacobians of points: how their velocities depend on the rates of the joints.
 
 use crate::model::{Frame, System, Workspace};
 use crate::symbolic::{Components, Id};
 
 use super::rates::rates;
 
-/// For each rate of the system, the velocity of a point and the angular velocity of its body per
-/// unit of that rate, world axes.
+/// For each rate of the system: the velocity of a point and the angular velocity of its body per
+/// unit of that rate, in world axes.
 pub type Jacobian = Vec<[Components; 2]>;
 
-/// The Jacobians of the requested points; rates in the order of the state.
+/// The Jacobians of the requested points, with the rates in the order of the state.
 pub fn derive_jacobians(system: &System, work: &mut Workspace) -> Vec<Jacobian> {
     let by: Vec<Id> = rates(system);
     let points = system.points.iter().map(|(body, offset)| {

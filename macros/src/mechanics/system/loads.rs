@@ -13,8 +13,8 @@ use crate::symbolic::{Components, Id, Undetermined};
 use super::closed::{Closed, Spare, component, moved_in_world, release, solve_drives};
 use super::equations::SystemEquations;
 
-/// The open drives, in the order of the joints, that produce the given accelerations. A drive that
-/// others can replace is an error at its name.
+/// The open drives that produce the given accelerations, in the order of the joints. A drive that
+/// others can replace is reported at its name.
 pub fn derive_system_inverse(
     system: &System,
     work: &mut Workspace,
@@ -43,8 +43,8 @@ pub fn derive_system_inverse(
     results.map(|one| work.graph.result(one)).collect()
 }
 
-/// Reports drives that others can replace. The undetermined unknown may be the load of a
-/// constraint: then the drives that change with it are not determined.
+/// Reports drives that others can replace. If the undetermined unknown is the load of a constraint,
+/// the drives that change with it are not determined.
 fn report_undetermined(names: &[&Ident], unknowns: &[Undetermined], errors: &mut Errors) {
     let mut reported = Vec::new();
     for unknown in unknowns {
@@ -73,8 +73,8 @@ fn report_undetermined(names: &[&Ident], unknowns: &[Undetermined], errors: &mut
     }
 }
 
-/// Reports freedoms whose accelerations no open drive can produce: their balances are left over.
-/// Constraints that are trivial on a branch also leave such rows; then nothing is reported.
+/// Reports freedoms whose accelerations no open drive can produce: those whose balances are left
+/// over. Constraints that are trivial on a branch leave such rows, too; then nothing is reported.
 fn report_undriven(system: &System, closed: &Closed, spare: &[(usize, Id)], errors: &mut Errors) {
     if closed.rows().any(|row| row.active.is_some()) {
         return;
@@ -90,15 +90,15 @@ fn report_undriven(system: &System, closed: &Closed, spare: &[(usize, Id)], erro
     }
 }
 
-/// The load along each open freedom, joint by joint, that produces the given acceleration, minus
-/// the known loads there.
+/// The load along each open freedom that produces the given acceleration, minus the known loads
+/// there, joint by joint.
 fn needed(system: &System, work: &mut Workspace, equations: &SystemEquations) -> Vec<Id> {
     let tree = moved_in_world(work, &equations.reduced);
     let given: Vec<Vec<Id>> = system.joints.iter().map(TreeJoint::accelerations).collect();
     lacking_with(work, equations, &tree, &given)
 }
 
-/// The same of a tree, with these accelerations joint by joint.
+/// The same for a tree with these accelerations, joint by joint.
 pub fn lacking_with(
     work: &mut Workspace,
     equations: &SystemEquations,
@@ -109,7 +109,7 @@ pub fn lacking_with(
     tree::lacking(&mut work.graph, tree, &by_link)
 }
 
-/// The load of every link, with these accelerations joint by joint.
+/// The load that the joint of every link transmits, with these accelerations, joint by joint.
 fn loads(
     work: &mut Workspace,
     equations: &SystemEquations,
@@ -137,8 +137,8 @@ pub fn by_link(
     by_link
 }
 
-/// Force and moment of each joint on the body that it carries, at its point there, world axes,
-/// drives included; by name, those that close loops too.
+/// The names of all joints, including those that close loops, each with its force and moment on the
+/// body that it carries, at its point on that body, in world axes. Drives are included.
 pub fn derive_system_reactions(
     system: &System,
     work: &mut Workspace,
@@ -158,8 +158,8 @@ pub fn derive_system_reactions(
     named(system, &joints, &closed)
 }
 
-/// The symbols of the loads of joints, as checks ask for them, and their expressions; no value if
-/// the balances leave a load open.
+/// The symbols of the loads of joints that checks use, each with its expression. It has no value if
+/// the balances do not determine a load of the joint.
 pub fn derive_system_held(
     system: &System,
     work: &mut Workspace,
@@ -182,8 +182,8 @@ pub fn derive_system_held(
     known.collect()
 }
 
-/// The loads that the balances leave open: the name of the joint, link or constraint, and the part
-/// of its load, in order.
+/// The loads that the balances do not determine, in order: the name of the joint, link or
+/// constraint, and the part of its load in words.
 pub fn derive_system_open(
     system: &System,
     work: &Workspace,
@@ -217,7 +217,7 @@ pub fn derive_system_open(
     open
 }
 
-/// Changes that would make all loads determined, in words.
+/// Changes after which all loads are determined, in words.
 pub fn derive_system_release(
     system: &System,
     work: &mut Workspace,
@@ -229,7 +229,7 @@ pub fn derive_system_release(
     })
 }
 
-/// The known loads of the joints of the tree, and of those that close loops, by name.
+/// The known loads of the joints of the tree and of those that close loops, with their names.
 fn named(
     system: &System,
     joints: &[[Components; 2]],
@@ -240,8 +240,8 @@ fn named(
         .collect()
 }
 
-/// The loads along the freedoms whose motion is prescribed, joint by joint, minus the other known
-/// loads there: these are the drives that produce the motion.
+/// The drives that produce prescribed motions: the load along each freedom whose motion is
+/// prescribed, minus the other known loads there, joint by joint.
 pub fn derive_system_driving(work: &mut Workspace, equations: &SystemEquations) -> Vec<Vec<Id>> {
     let tree = equations.loaded();
     let loads = loads(work, equations, tree, &equations.accelerations);

@@ -9,11 +9,11 @@ use super::constraints::replace;
 use super::equations::SystemEquations;
 use super::rates::order;
 
-/// `M q'' = f`, in the order of the rates in the state; constraint loads outside the
-/// tree are not included.
+/// `M q'' = f`, in the order of the rates in the state, without the loads of constraints outside
+/// the tree.
 pub struct Inertias {
     pub rows: Vec<Vec<Id>>,
-    /// The drive of each coordinate, minus the load of the motion without acceleration.
+    /// The drive of each coordinate, minus the load that the motion needs without acceleration.
     pub driving: Vec<Id>,
 }
 

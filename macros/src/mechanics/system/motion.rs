@@ -1,4 +1,4 @@
-//! The change of the state of a system in motion.
+//! How the state of a system changes.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,8 @@ use crate::mechanics::variation::Direction;
 use crate::model::{Frame, Part, System, TreeJoint, Variable, Vector, Workspace, input_rates};
 use crate::symbolic::{Coordinate, Id};
 
-/// The rates of joints are held, and so are inputs, unless they move.
+/// The change in time, with constant rates of joints, and constant inputs unless they are
+/// `.moving`.
 pub fn motion(system: &System, work: &mut Workspace) -> Direction {
     let mut changes = BTreeMap::new();
     let time = system.bodies.first().map(|body| body.state.time);
@@ -27,7 +28,7 @@ pub fn motion(system: &System, work: &mut Workspace) -> Direction {
     Direction { changes, turns }
 }
 
-/// One rate of a joint is one, and nothing else moves.
+/// The change if one rate of a joint is one, and nothing else moves.
 pub fn unit_motion(
     system: &System,
     work: &mut Workspace,
@@ -51,7 +52,7 @@ pub fn unit_motion(
     }
 }
 
-/// The change of the coordinates of a joint, with these rates.
+/// The change of the coordinates of a joint at these rates.
 fn places(
     work: &mut Workspace,
     joint: &TreeJoint,
@@ -61,8 +62,8 @@ fn places(
     moved.map(|one| (one.symbol, one.rate)).collect()
 }
 
-/// The angular velocities of the frames of a joint, each relative to the one before, with these
-/// rates.
+/// The angular velocities of the frames of a joint at these rates, each relative to the frame
+/// before.
 fn turns_of(
     joint: &TreeJoint,
     work: &mut Workspace,
@@ -87,14 +88,14 @@ fn turns_of(
     turns
 }
 
-/// The coordinates in the state of a joint, with its rates.
+/// The coordinates of a joint in the state, with their rates of change.
 pub fn positions(work: &mut Workspace, joint: &TreeJoint) -> Vec<Coordinate> {
     moved(work, joint, |variable, part| {
         joint.coordinates.get(variable, part)
     })
 }
 
-/// The same, with these rates.
+/// The same at these rates.
 fn moved(
     work: &mut Workspace,
     joint: &TreeJoint,

@@ -28,7 +28,8 @@ pub fn velocities(joint: &TreeJoint) -> Vec<Id> {
         .collect()
 }
 
-/// The numbers of the open freedoms, link by link, in the order of their rates in the state.
+/// The indices of the open freedoms, which are counted link by link, in the order of their rates in
+/// the state.
 pub fn order(system: &System, built: &Built) -> Vec<usize> {
     let firsts = built.tree.links.iter().scan(0, |next, link| {
         let first = *next;

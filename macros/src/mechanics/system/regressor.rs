@@ -1,4 +1,4 @@
-//! The regressor of a system: the loads that its motion requires along each freedom, per inertial
+//! The regressor of a system: the loads along each freedom that its motion requires, per inertial
 //! parameter of each body.
 
 use crate::mechanics::answers::{Regressor, told};
@@ -10,7 +10,7 @@ use super::equations::SystemEquations;
 use super::loads::by_link;
 use super::rates::order;
 
-/// For each body, about the point that its joint holds, each after its carrier.
+/// The regressor of each body, about the point that its joint holds. Carriers come first.
 pub fn derive_system_regressors(
     system: &System,
     work: &mut Workspace,

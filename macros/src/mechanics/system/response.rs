@@ -1,12 +1,12 @@
-//! The first-order change of the accelerations, from that of the balances.
+//! The first-order change of the accelerations, from the change of the balances.
 //!
 //! ```text
 //! r(x, a) = 0, linear in a:    M da = -dr,    M = dr/da
 //! ```
 //!
-//! r is the load along each freedom that inverse dynamics finds, minus the load that acts there.
-//! The elimination that gives the accelerations is therefore not differentiated, and M is factored
-//! once. The row of a body that is alone is its acceleration as it is solved: `a - a(x)`.
+//! Here r is the load along each freedom that inverse dynamics finds, minus the load that acts
+//! there. So the elimination that gives the accelerations is not differentiated, and M is factored
+//! only once. For a body that is alone, the row is its acceleration minus its solution: `a - a(x)`.
 
 use std::collections::HashMap;
 
@@ -23,18 +23,19 @@ use super::rates::order;
 /// The balances along the freedoms of a tree, with given accelerations.
 pub struct Response {
     matrix: MassMatrix,
-    /// The load that each freedom lacks, by the symbols of the accelerations.
+    /// The load that is lacking along each freedom, as a function of the symbols of the
+    /// accelerations.
     pub lacking: Vec<Id>,
     /// The accelerations that these symbols stand for.
     values: HashMap<Id, Id>,
-    /// The accelerations by the same matrix, in the order of the state.
+    /// The accelerations, solved for with the same matrix, in the order of the state.
     pub accelerations: Vec<Id>,
     /// The indices of the freedoms, in the order of the state.
     order: Vec<usize>,
 }
 
 impl Response {
-    /// For a tree without constraints, whose loads do not depend on accelerations.
+    /// The response of a tree without constraints whose loads do not depend on accelerations.
     pub fn of(system: &System, work: &mut Workspace, equations: &SystemEquations) -> Option<Self> {
         equations.closed.is_none().then_some(())?;
         let tree = moved_in_world(work, &equations.reduced);
@@ -59,8 +60,8 @@ impl Response {
         })
     }
 
-    /// The change of the accelerations, in the order of the state, if the lacking loads change by
-    /// this.
+    /// The change of the accelerations, in the order of the state, for this change of the lacking
+    /// loads.
     pub fn to(&mut self, work: &mut Workspace, change: &[Id]) -> Vec<Id> {
         let known = &self.values;
         let change = work.graph.substitute(change, |id| known.get(&id).copied());
@@ -70,7 +71,8 @@ impl Response {
     }
 }
 
-/// The freedoms of bodies that are alone, each with the symbol of its acceleration and the solution.
+/// The freedoms of bodies that are alone, each with the symbol of its acceleration and the solution
+/// for it.
 fn solved_alone(
     equations: &SystemEquations,
     tree: &Tree,

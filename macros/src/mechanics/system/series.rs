@@ -1,5 +1,5 @@
-//! Taylor series of the motion of a system: the coordinates of its joints, in the order of its
-//! state.
+//! Taylor series of the motion of a system. Its coordinates are those of its joints, in the order
+//! of its state.
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::answers::{SeriesInput, Taylor, polynomials};
@@ -10,8 +10,8 @@ use super::equations::loads;
 use super::motion::positions;
 use super::rates::velocities;
 
-/// The recurrences, if they exist; obstacles are reported at the request for them. The joints are
-/// in the order of the state, each with its accelerations.
+/// The recurrences, if they exist. Obstacles are reported where the series is requested. The joints
+/// are in the order of the state, each with its accelerations.
 pub fn derive_system_taylor(
     system: &System,
     work: &mut Workspace,

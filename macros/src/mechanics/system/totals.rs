@@ -5,7 +5,7 @@ use crate::mechanics::balances::quadratic;
 use crate::model::{Frame, System, Vector, Workspace};
 use crate::symbolic::Number;
 
-/// `sum of (m v^2 + w . J w) / 2`, and `-F . x` of every uniform field, `x` where it acts.
+/// `sum of (m v^2 + w . J w) / 2`, and `-F . x` of every uniform field, which acts at x.
 pub fn derive_system_energy(system: &System, work: &mut Workspace) -> Energy {
     let (mut twice, mut potential) = (work.graph.zero(), work.graph.zero());
     let gravity = work.vector(Frame::WORLD, system.gravity);
@@ -44,11 +44,11 @@ pub fn derive_system_energy(system: &System, work: &mut Workspace) -> Energy {
     }
 }
 
-/// The momentum of the whole system, in world axes: linear, about its own G, and about the origin
-/// of the world.
+/// The momentum of the whole system, in world axes: linear, angular about the G of the system, and
+/// angular about the origin of the world.
 ///
-/// The angular momentum about G is formed from positions and velocities relative to the first body,
-/// so it keeps its digits far from the origin.
+/// The angular momentum about G is computed from positions and velocities relative to the first
+/// body, so that it keeps its digits far from the origin.
 pub fn derive_system_momentum(system: &System, work: &mut Workspace) -> Momentum {
     let (mut mass, mut linear) = (work.graph.zero(), Vector::ZERO);
     let (mut first, mut drift) = (Vector::ZERO, Vector::ZERO);

@@ -1,11 +1,11 @@
-//! Bodies that the ground alone holds, and that hold no others: each moves by the balances of a
-//! single body.
+//! Bodies that only the ground holds and that carry no others. Each of them moves by the balances
+//! of a single body.
 
 use crate::mechanics::balances::solve_balances;
 use crate::model::{Model, Part, Point, State, Support, System, Vector, Workspace};
 use crate::symbolic::Id;
 
-/// The accelerations along the coordinates of a joint, if its body is alone.
+/// The accelerations along the coordinates of a joint whose body is alone.
 pub fn alone(system: &System, work: &mut Workspace, number: usize) -> Option<Vec<Id>> {
     let model = as_single(system, work, number)?;
     let further = drive(system, work, number)?;
@@ -14,7 +14,7 @@ pub fn alone(system: &System, work: &mut Workspace, number: usize) -> Option<Vec
     Some([linear, &found.angular[model.motion.angular_axes()]].concat())
 }
 
-/// A body that is alone, as a single one.
+/// The model of a single body for a body that is alone.
 fn as_single(system: &System, work: &Workspace, number: usize) -> Option<Model> {
     let (joint, body) = (&system.joints[number], &system.bodies[number]);
     let mut others = system.joints.iter();
@@ -44,7 +44,7 @@ fn as_single(system: &System, work: &Workspace, number: usize) -> Option<Model> 
     })
 }
 
-/// The moment of the drives of its joint, body axes; none if they are forces.
+/// The moment of the drives of its joint, in body axes; `None` if some are forces.
 fn drive(system: &System, work: &mut Workspace, number: usize) -> Option<Vector> {
     let (joint, body) = (&system.joints[number], &system.bodies[number]);
     let graph = &mut work.graph;

@@ -1,5 +1,5 @@
-//! The articulated-body inertia of a link: with everything that it carries, while the joints are
-//! free.
+//! The articulated-body inertia of a link: its inertia together with everything that it carries,
+//! while the joints move freely.
 
 use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
@@ -19,20 +19,20 @@ pub struct Articulated {
     pub linear: Rows,
 }
 
-/// The result of eliminating a joint coordinate: `q'' = drive - share . a`, for an acceleration a
-/// of the link without it.
+/// What the elimination of a joint coordinate gives: `q'' = drive - share . a`, where a is the
+/// acceleration of the link without this coordinate.
 pub struct Eliminated {
     pub twist: SpatialVector,
     pub drive: Id,
     pub share: SpatialVector,
-    /// The inverse of the inertia along it.
+    /// The reciprocal of the inertia along the coordinate.
     inverse: Id,
-    /// The drive, minus the load of the motion without it.
+    /// The drive, minus the load that is needed without the acceleration of the coordinate.
     driving: Id,
 }
 
 impl Eliminated {
-    /// Names of the results.
+    /// Names the results.
     pub fn name(&self, labels: &mut Labels, of: &str) {
         labels.name(self.inverse, format!("inverse_inertia_{of}"));
         labels.name(self.driving, format!("driving_{of}"));
@@ -66,14 +66,14 @@ impl Articulated {
         }
     }
 
-    /// Names of all entries.
+    /// Names all entries.
     pub fn name(&self, labels: &mut Labels, of: &str) {
         labels.matrix(&format!("inertia_{of}"), &self.angular);
         labels.matrix(&format!("coupling_{of}"), &self.mixed);
         labels.matrix(&format!("mass_{of}"), &self.linear);
     }
 
-    /// Makes each entry a separate line.
+    /// Makes each entry a statement.
     pub fn quantities(&self, graph: &mut Graph) -> Self {
         let each = |graph: &mut Graph, rows: &Rows| rows.map(|row| graph.quantities(row));
         Self {
@@ -96,7 +96,7 @@ impl Articulated {
         }
     }
 
-    /// Frees a coordinate of the link; the missing load for its motion changes accordingly.
+    /// Frees a coordinate of the link, and adapts the load that is lacking for its motion.
     pub fn eliminate(
         &mut self,
         graph: &mut Graph,
@@ -104,7 +104,7 @@ impl Articulated {
         lacking: &mut SpatialVector,
     ) -> Eliminated {
         let (twist, drive) = (freedom.twist, freedom.drive);
-        // with an armature a part of the inertia along it remains
+        // with an armature, a part of the inertia along the coordinate remains
         let axis = twist.axis(graph);
         let axis = axis.filter(|_| graph.is_zero(freedom.armature));
         let of_rate = self.times(graph, &twist).quantities(graph);
@@ -152,7 +152,7 @@ impl Articulated {
         }
     }
 
-    /// Both halves of a symmetric matrix are the same expressions.
+    /// Makes both halves of each symmetric matrix the same expressions.
     fn mirror(&mut self) {
         for rows in [&mut self.angular, &mut self.linear] {
             let upper = *rows;
@@ -164,7 +164,7 @@ impl Articulated {
         }
     }
 
-    /// Along a freed coordinate there is no inertia left, and the load is the drive.
+    /// Along a freed coordinate, no inertia is left, and the load is the drive.
     fn give_way(
         &mut self,
         graph: &Graph,
@@ -192,7 +192,7 @@ impl Articulated {
         }
     }
 
-    /// The same about the origin of the carrier, in its axes.
+    /// The same inertia about the origin of the carrier, in the axes of the carrier.
     pub fn seen_by_carrier(&self, graph: &mut Graph, link: &Link) -> Self {
         let turning: Turning = link.turning;
         let angular = turning.tensor(graph, &self.angular);
@@ -217,7 +217,7 @@ impl Articulated {
         let mixed = [0, 1, 2].map(|i| graph.add_vectors(turned.mixed[i], levers[i]));
         let mixed = mixed.map(|row| graph.quantities(row));
         let outer = across(graph, &transposed(&mixed));
-        // -(B [r]x) has the rows r x b
+        // the rows of -(B [r]x) are r x b
         let inner = turned.mixed.map(|row| graph.cross(r, row));
         let angular = [0, 1, 2].map(|i| {
             let sum = graph.add_vectors(inner[i], outer[i]);
@@ -240,7 +240,8 @@ fn skew(graph: &mut Graph, [x, y, z]: Components) -> Rows {
     [[zero, less_z, y], [z, zero, less_x], [less_y, x, zero]]
 }
 
-/// Moment and force about the origin of the link, about that of the carrier, in its axes.
+/// A moment and a force about the origin of the link, moved to the origin of the carrier, in the
+/// axes of the carrier.
 pub fn wrench_on_carrier(graph: &mut Graph, link: &Link, wrench: SpatialVector) -> SpatialVector {
     let moment = link.turning.to_carrier(graph, wrench.angular);
     let force = link.turning.to_carrier(graph, wrench.linear);

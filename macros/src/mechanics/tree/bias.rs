@@ -1,4 +1,4 @@
-//! The bias: the motion of the links with zero joint accelerations, and its loads.
+//! The bias: the motion of the links with zero joint accelerations, and the loads that it needs.
 
 use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
@@ -10,11 +10,11 @@ use super::spatial_vector::SpatialVector;
 /// The motion of a link, in its axes.
 #[derive(Clone, Copy)]
 pub struct LinkMotion {
-    /// Angular velocity.
+    /// The angular velocity.
     pub w: Components,
-    /// Angular acceleration, and acceleration of the origin minus that of free fall.
+    /// The angular acceleration, and the acceleration of the origin minus that of free fall.
     pub acceleration: SpatialVector,
-    /// `[w']x + w w - w^2 1`: the contribution of an offset to the acceleration.
+    /// `[w']x + w w - w^2 1`: times an offset, it is what the offset adds to the acceleration.
     pub sweep: [Components; 3],
 }
 
@@ -81,7 +81,7 @@ impl LinkMotion {
         Self::new(graph, w, SpatialVector { angular, linear })
     }
 
-    /// The same if the coordinates of the link accelerate; for a free link they are given
+    /// The same motion if the coordinates of the link accelerate. Those of a free link are given
     /// along world axes first.
     pub fn accelerated(&self, graph: &mut Graph, tree: &Tree, link: &Link, rates: &[Id]) -> Self {
         let mut acceleration = self.acceleration;
@@ -98,8 +98,8 @@ impl LinkMotion {
         Self::new(graph, self.w, acceleration)
     }
 
-    /// The moment and the force of this motion, about the origin: linear in mass, first moment
-    /// and inertia.
+    /// The moment about the origin and the force that this motion needs, which are linear in mass,
+    /// first moment and inertia.
     pub fn taken_by(&self, graph: &mut Graph, properties: &Properties) -> SpatialVector {
         let (h, rows, a) = (
             properties.first,
@@ -118,7 +118,7 @@ impl LinkMotion {
         }
     }
 
-    /// `J w' + w x J w`, by the products of w in the sweep.
+    /// `J w' + w x J w`, from the products of w that the sweep contains.
     fn moment(&self, graph: &mut Graph, rows: &[Components; 3]) -> Components {
         let (s, w) = (&self.sweep, self.w);
         [0, 1, 2].map(|i| {
@@ -162,8 +162,8 @@ fn sweep(graph: &mut Graph, w: Components, alpha: Components) -> [Components; 3]
     rows
 }
 
-/// The motion of all links without accelerations of joints, and the missing moment and force about
-/// the origin of each.
+/// The motion of all links without accelerations of joints, and the moment and force that each
+/// lacks, about its origin.
 pub fn derive_bias(
     graph: &mut Graph,
     labels: &mut Labels,

@@ -10,7 +10,7 @@ use super::properties::Properties;
 use super::spatial_vector::SpatialVector;
 use super::turning::Turning;
 
-/// A tree, and the links of each joint: the last one is the body.
+/// A tree, and the links of each joint, the last of which is the body.
 pub struct Built {
     pub tree: Tree,
     pub links: Vec<core::ops::Range<usize>>,
@@ -23,7 +23,7 @@ impl Built {
     }
 }
 
-/// Links for all bodies; the origin of each is at the joint that carries it.
+/// Makes links for all bodies. The origin of each link is at the joint that carries it.
 pub fn build(system: &System, work: &mut Workspace) -> Built {
     let mut built = Built {
         tree: Tree {
@@ -34,7 +34,7 @@ pub fn build(system: &System, work: &mut Workspace) -> Built {
     };
     for (body, joint) in system.bodies.iter().zip(&system.joints) {
         let first = built.tree.links.len();
-        // from the joint that carries the carrier to this one
+        // from the joint that carries the carrier to this joint
         let place = match joint.carrier {
             None => joint.place,
             Some(carrier) => {
@@ -64,7 +64,7 @@ pub fn build(system: &System, work: &mut Workspace) -> Built {
     built
 }
 
-/// Loads on a body, about a point of it, in its axes.
+/// The sum of loads on a body, about a point of it, in its axes.
 pub fn wrench<'l>(
     work: &mut Workspace,
     body: &Member,
@@ -82,7 +82,7 @@ pub fn wrench<'l>(
     (force, moment)
 }
 
-/// The links of one joint in the making.
+/// The links of one joint while they are made.
 struct Making<'a> {
     work: &'a mut Workspace,
     joint: &'a TreeJoint,
@@ -125,7 +125,7 @@ impl Making<'_> {
         }
     }
 
-    /// All rotations at zero coordinates, as one.
+    /// All rotations at zero coordinates, combined into one.
     fn turned(&mut self) -> Option<Turning> {
         let graph = &mut self.work.graph;
         let turns = self.joint.turned.iter().map(|(axis, angle)| {
@@ -139,7 +139,7 @@ impl Making<'_> {
         Some(turns.fold(first, |whole, then| whole.after(graph, then)))
     }
 
-    /// The component of a variable, by the number of the coordinate.
+    /// The component of a variable, for the coordinate with this index.
     fn get(&self, variable: Variable, coordinate: usize) -> Id {
         let known = self.joint.coordinates.get(variable, coordinate);
         known.unwrap_or(self.work.graph.zero())
@@ -185,7 +185,7 @@ impl Making<'_> {
         self.link(turning, freedoms);
     }
 
-    /// All directions, those along axes first.
+    /// Adds a link that moves in all directions; those along the axes come first.
     fn float(&mut self, rates: &Rates, first: usize, is_planar: bool) {
         let units = self.work.graph.unit_vectors();
         let zero = self.work.graph.zero();
@@ -250,7 +250,7 @@ impl Making<'_> {
         }
     }
 
-    /// Adds a massless link, and continues from it.
+    /// Adds a massless link, from which the joint continues.
     fn link(&mut self, turning: Turning, freedoms: Vec<Freedom>) -> usize {
         let graph = &self.work.graph;
         let zeros = graph.zeros();

@@ -1,4 +1,4 @@
-//! The loads of joints, by the balances of everything that they carry: reactions and inverse
+//! The loads of joints, from the balances of everything that they carry: reactions and inverse
 //! dynamics.
 
 use crate::symbolic::{Graph, Id};
@@ -8,7 +8,7 @@ use super::bias::LinkMotion;
 use super::link::{Freedom, Link, Tree};
 use super::spatial_vector::{Along, SpatialVector};
 
-/// The motions of all links, for these accelerations of the coordinates, link by link.
+/// The motions of all links, with these accelerations of the coordinates, link by link.
 pub fn motions(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<LinkMotion> {
     let ground = LinkMotion::ground(graph, tree.gravity);
     let mut motions: Vec<LinkMotion> = Vec::new();
@@ -20,8 +20,8 @@ pub fn motions(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec
     motions
 }
 
-/// The force and the moment of each joint on the carried body, about the origin of the link, in its
-/// axes, in the actual motion: along the coordinates they are the drives.
+/// The force and the moment of each joint on the carried body in the actual motion, about the
+/// origin of the link, in its axes. Along the coordinates, they are the drives.
 pub fn joint_loads(
     graph: &mut Graph,
     tree: &Tree,
@@ -30,7 +30,8 @@ pub fn joint_loads(
     loads(graph, tree, accelerations, driven)
 }
 
-/// The same in terms of the balances, for given accelerations.
+/// The loads that follow from the balances, for given accelerations; `known` replaces components
+/// that are known otherwise.
 fn loads(
     graph: &mut Graph,
     tree: &Tree,
@@ -55,7 +56,7 @@ fn loads(
     loads
 }
 
-/// A load whose components along open coordinates are their drives.
+/// The load with its components along open coordinates replaced by the drives there.
 fn driven(
     graph: &mut Graph,
     link: &Link,
@@ -78,7 +79,7 @@ fn driven(
     load
 }
 
-/// The missing load along the open coordinates, for these accelerations.
+/// The load that is lacking along each open coordinate, for these accelerations.
 pub fn lacking(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<Id> {
     let loads = loads(graph, tree, accelerations, |_, _, _, load| load);
     let links = tree.links.iter().zip(loads).zip(accelerations);
@@ -90,7 +91,8 @@ pub fn lacking(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec
     all.collect()
 }
 
-/// The missing load along a coordinate whose joint carries a load, for this acceleration of it.
+/// The load that is lacking along a coordinate with this acceleration, whose joint transmits a
+/// load.
 pub fn lacks(graph: &mut Graph, freedom: &Freedom, load: SpatialVector, acceleration: Id) -> Id {
     let carried = freedom.twist.dot(graph, load);
     let own = graph.multiply(freedom.armature, acceleration);
@@ -98,7 +100,7 @@ pub fn lacks(graph: &mut Graph, freedom: &Freedom, load: SpatialVector, accelera
     graph.subtract(needed, freedom.drive)
 }
 
-/// The contribution of a load on a link to each open coordinate, link by link.
+/// What a load on a link contributes along each open coordinate, link by link.
 pub fn along_freedoms(graph: &mut Graph, tree: &Tree, link: usize, load: SpatialVector) -> Vec<Id> {
     let mut loads: Vec<Option<SpatialVector>> = vec![None; tree.links.len()];
     loads[link] = Some(load);

@@ -10,25 +10,26 @@ use super::turning::Turning;
 #[derive(Clone, PartialEq)]
 pub struct Tree {
     pub links: Vec<Link>,
-    /// The acceleration of free fall, world axes, in the one uniform field that acts on all mass.
+    /// The acceleration of free fall, in world axes, in the uniform field that acts on all mass.
     pub gravity: Components,
 }
 
-/// A body, and the joint that carries it. Joints of several axes have massless links between.
+/// A body, and the joint that carries it. A joint with several axes has massless links in between.
 #[derive(Clone, PartialEq)]
 pub struct Link {
-    /// For the names of its quantities.
+    /// The name that its quantities get.
     pub name: String,
-    /// None for the ground.
+    /// The carrier; `None` for the ground.
     pub carrier: Option<usize>,
-    /// From the origin of the carrier to that of the link, in the carrier's axes.
+    /// The vector from the origin of the carrier to that of the link, in the axes of the carrier.
     pub place: Components,
-    /// From its axes to those of the carrier.
+    /// The rotation from its axes to those of the carrier.
     pub turning: Turning,
-    /// For a hinge that is rotated about one of its axes.
+    /// The angle of a hinge that rotates about one of the coordinate axes.
     pub angle: Option<Id>,
     pub freedoms: Vec<Freedom>,
-    /// Its origin is arbitrary: its accelerations are absolute, independent of the carrier's.
+    /// Whether it is free: its accelerations are absolute and do not depend on a carrier, so its
+    /// origin is arbitrary.
     pub is_free: bool,
     pub properties: Properties,
     /// The loads on it except gravity, about its origin, in its axes.
@@ -39,14 +40,15 @@ pub struct Link {
 /// A direction in which a joint lets its link move.
 #[derive(Clone, PartialEq)]
 pub struct Freedom {
-    /// The motion of unit rate, in the axes of the link, about its origin.
+    /// The motion at unit rate, about the origin of the link, in its axes.
     pub twist: SpatialVector,
     /// The rate of its coordinate.
     pub rate: Id,
-    /// The inertia along it alone, as of a geared rotor: it takes a separate load to accelerate,
-    /// and has no other effect.
+    /// An inertia along the coordinate only, such as that of a geared rotor. It takes a separate
+    /// load to accelerate, and has no other effect.
     pub armature: Id,
-    /// The load along it, which acts on the link, and on the carrier with the opposite sign.
+    /// The load along the coordinate, which acts on the link, and with the opposite sign on the
+    /// carrier.
     pub drive: Id,
     /// Its acceleration, if its motion is prescribed.
     pub given: Option<Id>,
@@ -54,7 +56,7 @@ pub struct Freedom {
 }
 
 impl Tree {
-    /// Items of open freedoms, link by link.
+    /// Groups items, one for each open freedom, by link.
     pub fn by_link<T>(&self, of_freedoms: impl IntoIterator<Item = T>) -> Vec<Vec<T>> {
         let mut rest = of_freedoms.into_iter();
         let links = self.links.iter();
@@ -63,7 +65,7 @@ impl Tree {
             .collect()
     }
 
-    /// Whether a link is this one, or is carried by it.
+    /// Whether `link` is `below`, or `below` carries it.
     pub fn is_above(&self, mut link: usize, below: usize) -> bool {
         while link != below {
             let Some(carrier) = self.links[link].carrier else {
@@ -74,7 +76,7 @@ impl Tree {
         true
     }
 
-    /// Whether a link is held by its carrier, and has and carries no mass.
+    /// Whether a link is held rigidly by its carrier, and neither has nor carries mass.
     pub fn is_idle(&self, graph: &Graph, index: usize) -> bool {
         let link = &self.links[index];
         let is_zero = |vector: &Components| graph.is_zero_vector(vector);

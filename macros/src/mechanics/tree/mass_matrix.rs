@@ -1,6 +1,6 @@
-//! The mass matrix from composite bodies, whose joints are held (Walker and Orin, Efficient Dynamic
-//! Computer Simulation of Robotic Mechanisms). For few degrees of freedom it is cheaper than the
-//! recursion.
+//! The mass matrix, from composite bodies: a link and everything that it carries, with the joints
+//! held (Walker and Orin, Efficient Dynamic Computer Simulation of Robotic Mechanisms). For few
+//! degrees of freedom, it is cheaper than the recursion.
 
 use crate::model::Labels;
 use crate::symbolic::{Graph, Id};
@@ -10,10 +10,10 @@ use super::bias::derive_bias;
 use super::link::{Link, Tree};
 use super::spatial_vector::SpatialVector;
 
-/// `M q'' = drives - bias`, a row and a column for each coordinate, link by link.
+/// `M q'' = drives - bias`, with a row and a column for each coordinate, link by link.
 pub struct MassMatrix {
     pub rows: Vec<Vec<Id>>,
-    /// The drive of each coordinate, minus the load of the motion without acceleration.
+    /// The drive of each coordinate, minus the load that the motion needs without acceleration.
     pub driving: Vec<Id>,
     names: Vec<String>,
 }
@@ -41,7 +41,7 @@ impl MassMatrix {
                 let row = first[index] + number;
                 let needed = freedom.twist.dot(graph, load);
                 driving[row] = graph.subtract(freedom.drive, needed);
-                // the couplings of this coordinate with those that carry it
+                // the couplings of this coordinate to those that carry it
                 let mut wrench = own.times(graph, &freedom.twist).quantities(graph);
                 let mut at = index;
                 loop {
@@ -86,7 +86,8 @@ impl MassMatrix {
         }
     }
 
-    /// Takes the acceleration of a coordinate that nothing couples as known.
+    /// Sets the acceleration of a coordinate that is coupled to no others, because it is already
+    /// known.
     pub fn separate(&mut self, graph: &mut Graph, freedom: usize, acceleration: Id) {
         let (zero, one) = (graph.zero(), graph.one());
         for other in 0..self.rows.len() {
@@ -97,7 +98,7 @@ impl MassMatrix {
         self.driving[freedom] = acceleration;
     }
 
-    /// Solved from the last coordinate to the first, `L^T D L`.
+    /// Solves from the last coordinate to the first, `L^T D L`.
     pub fn solve(&self, graph: &mut Graph, labels: &mut Labels) -> Vec<Id> {
         let (mut rows, mut driving) = (self.rows.clone(), self.driving.clone());
         let count = rows.len();

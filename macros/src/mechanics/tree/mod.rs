@@ -1,9 +1,10 @@
 //! Trees of bodies: from joints and loads to the accelerations of all joints.
 //!
-//! First the bias, from the ground to the tips: the motion with zero joint accelerations. Then the
-//! articulated-body recursion (Featherstone, Rigid Body Dynamics Algorithms, 7.3), from the tips to
-//! the ground and back, adds the joint accelerations; it has no bias terms itself. Each pass
-//! is written out link by link in the graph, so that zeros, constants and shared terms drop out.
+//! First comes the bias, from the ground to the tips: the motion with zero joint accelerations.
+//! Then the articulated-body recursion (Featherstone, Rigid Body Dynamics Algorithms, 7.3), from
+//! the tips to the ground and back, adds the joint accelerations. It has no bias terms itself. Each
+//! pass is written out link by link in the graph, so that zeros, constants and shared terms drop
+//! out.
 
 mod alone;
 mod articulated;

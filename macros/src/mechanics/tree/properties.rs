@@ -7,7 +7,7 @@ use super::turning::Turning;
 
 type Rows = [Components; 3];
 
-/// Mass, first moment `m c` and inertia of a link about its origin, in its axes.
+/// The mass, the first moment `m c` and the inertia of a link about its origin, in its axes.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Properties {
     pub mass: Id,
@@ -24,7 +24,7 @@ impl Properties {
         }
     }
 
-    /// For a mass with its center at `c`, and the inertia about that.
+    /// The properties of a mass with its center at `c`, from its inertia about the center.
     pub fn of_body(graph: &mut Graph, mass: Id, c: Components, inertia: &Rows) -> Self {
         let first = graph.scale_vector(mass, c);
         Self {
@@ -34,7 +34,7 @@ impl Properties {
         }
     }
 
-    /// Unit values: each has one of the ten numbers equal to one.
+    /// Ten unit values: in each, one of the ten numbers is one and the others are zero.
     pub fn units(graph: &Graph) -> [Self; 10] {
         let (one, none) = (graph.one(), Self::none(graph));
         core::array::from_fn(|number| {
@@ -74,8 +74,8 @@ impl Properties {
         }
     }
 
-    /// About a point from which the origin is at `r`: `J + (2 r.h 1 - r h - h r) + m (r^2 1 - r
-    /// r)`.
+    /// The properties about a point from which the origin is at `r`:
+    /// `J + (2 r.h 1 - r h - h r) + m (r^2 1 - r r)`.
     pub fn seen_from(self, graph: &mut Graph, r: Components) -> Self {
         let mut inertia = crate::model::displaced(graph, self.mass, r, &self.inertia);
         let along = graph.dot(r, self.first);
@@ -102,7 +102,7 @@ impl Properties {
         }
     }
 
-    /// In rotated axes.
+    /// The properties in rotated axes.
     pub fn turned(&self, graph: &mut Graph, turning: Turning) -> Self {
         Self {
             mass: self.mass,

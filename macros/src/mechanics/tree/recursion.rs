@@ -11,11 +11,11 @@ use super::reductions::{drop_frames, merge_welds, reduced};
 use super::regrouping::left_out;
 use super::spatial_vector::SpatialVector;
 
-/// The accelerations of the coordinates, link by link in their order; for a free
-/// link, those of its origin along world axes first.
+/// The accelerations of the coordinates, link by link in the order of the tree. For a free link,
+/// those of its origin along world axes come first.
 pub struct Accelerations(Vec<Vec<Id>>);
 
-/// The accelerations of all joints, and the terms that do not appear in them.
+/// The accelerations of all joints, and the tree that they were derived from.
 pub struct SolvedTree {
     pub accelerations: Vec<Vec<Id>>,
     pub left_out: Vec<String>,
@@ -43,7 +43,8 @@ fn cost(graph: &Graph, found: &Accelerations) -> u32 {
     graph.late_cost(&found.0.concat()).total()
 }
 
-/// By the recursion, or by the mass matrix if that is cheaper for few degrees of freedom.
+/// Solves by the recursion, or by the mass matrix if that is cheaper, as it is for few degrees of
+/// freedom.
 fn solve(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Accelerations {
     let mut names = labels.part();
     let mut best = recursion(graph, &mut names, tree).folded(graph, &mut names);
@@ -75,7 +76,7 @@ impl Accelerations {
     }
 }
 
-/// From the tips to the ground: inertias and loads, with each joint freed.
+/// From the tips to the ground: inertias and loads, with each joint freed; and back.
 fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Accelerations {
     let bias = derive_bias(graph, labels, tree);
     let mut inertia: Vec<Articulated> = Vec::new();
@@ -152,7 +153,7 @@ fn outwards(
     Accelerations(all)
 }
 
-/// The contribution of the carrier's acceleration at the origin of the link, in its axes.
+/// The acceleration that the carrier gives the link at its origin, in the axes of the link.
 fn acceleration_at(graph: &mut Graph, link: &Link, carrier: SpatialVector) -> SpatialVector {
     let swept = graph.cross(carrier.angular, link.place);
     let linear = graph.add_vectors(carrier.linear, swept);

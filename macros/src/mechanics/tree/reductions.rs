@@ -1,6 +1,6 @@
-//! Choices that change only the cost of the computation (R36): the place of the origin of a
-//! link on the axis of its hinge, and whether a link is written in the axes of its carrier. Each
-//! is tried, and kept if it is cheaper.
+//! Choices that change only the cost of the computation (R36): where on the axis of its hinge the
+//! origin of a link is, and whether a link is written in the axes of its carrier. Each is tried,
+//! and kept if it is cheaper.
 
 use crate::symbolic::{Graph, Id};
 
@@ -10,21 +10,22 @@ use super::regrouping::{keep_axes, regroup};
 use super::spatial_vector::Along;
 use super::turning::Turning;
 
-/// The limit of operations of all trees that are tried together, so that many bodies
-/// do not take long to expand, and the same description has the same expansion.
+/// The most operations of all trees that are tried, added up. With a limit on operations, not on
+/// time, systems of many bodies expand quickly, and the same description always has the same
+/// expansion.
 const TRIED: u32 = 20_000;
-/// The same if equal legs change together: each of these changes is worth more.
+/// The same limit if equal legs change together, since each such change gains more.
 const TRIED_ALIKE: u32 = 45_000;
 
 /// The form of a tree.
 #[derive(Clone)]
 struct Choice {
-    /// The place on the axis of its hinge to which the origin of each link is moved, by its index
-    /// among those that are tried.
+    /// For each link, the place on the axis of its hinge to which its origin is moved, by its index
+    /// among the places that are tried.
     slides: Vec<Option<usize>>,
-    /// The links that are written in the axes of their carriers.
+    /// Whether each link is written in the axes of its carrier.
     borrows: Vec<bool>,
-    /// For each hinge, the index of the moment across its axis that is eliminated.
+    /// For each hinge, the index of the moment of inertia across its axis that is eliminated.
     sides: Vec<usize>,
 }
 
@@ -49,7 +50,7 @@ impl Choice {
         tree
     }
 
-    /// The form with another origin, of this many, other axes or another side, in equal links.
+    /// The form with one change, made in all of these equal links.
     fn changed(&self, links: &[usize], change: Change) -> Self {
         let mut changed = self.clone();
         for link in links {
@@ -63,7 +64,7 @@ impl Choice {
     }
 }
 
-/// A possible change of the form of a link.
+/// A change that a link may get.
 #[derive(Clone, Copy)]
 enum Change {
     Slide(Option<usize>),
@@ -76,7 +77,7 @@ struct Search<'a, C> {
     tree: &'a Tree,
     cost: C,
     choice: Choice,
-    /// The forms that were tried, the best one and its cost.
+    /// The forms that were tried so far, the best of them, and its cost.
     seen: Vec<Tree>,
     best: Tree,
     least: u32,
@@ -84,8 +85,8 @@ struct Search<'a, C> {
 }
 
 impl<C: Fn(&mut Graph, &Tree) -> u32> Search<'_, C> {
-    /// Changes one link after another, or several equal ones, while that helps, and until
-    /// this many operations are tried.
+    /// Changes one link after another, or several equal ones at once, as long as that helps and at
+    /// most this many operations are tried.
     fn descend(&mut self, graph: &mut Graph, alike: &[Vec<usize>], most: u32) {
         loop {
             let before = self.least;
@@ -120,8 +121,8 @@ impl<C: Fn(&mut Graph, &Tree) -> u32> Search<'_, C> {
     }
 }
 
-/// The tree in the form with the fewest operations of those that are tried; `cost` is the cost of
-/// the accelerations of a tree.
+/// The tree in the form with the fewest operations among those that are tried; `cost` is the cost
+/// of the accelerations of a tree.
 pub fn reduced(graph: &mut Graph, tree: &Tree, cost: impl Fn(&mut Graph, &Tree) -> u32) -> Tree {
     let count = tree.links.len();
     let choice = Choice {
@@ -143,7 +144,8 @@ pub fn reduced(graph: &mut Graph, tree: &Tree, cost: impl Fn(&mut Graph, &Tree) 
     let hinges: Vec<usize> = (0..count)
         .filter(|index| hinge(graph, tree, *index).is_some())
         .collect();
-    // from the tips, so that everything a link carries is known to rotate about the same axis
+    // start at the tips: then it is known whether everything that a link carries rotates about one
+    // axis
     let mut alike = alike(graph, tree, &hinges);
     alike.reverse();
     if alike.len() < hinges.len() {
@@ -154,8 +156,8 @@ pub fn reduced(graph: &mut Graph, tree: &Tree, cost: impl Fn(&mut Graph, &Tree) 
     search.best
 }
 
-/// The hinges, grouped with those that are carried by hinges about the same axes, and carry as
-/// many.
+/// The hinges, in groups of equal ones: they are carried by hinges about the same axes, and carry
+/// as many links.
 fn alike(graph: &Graph, tree: &Tree, hinges: &[usize]) -> Vec<Vec<usize>> {
     let described = |index: usize| {
         let mut axes = Vec::new();
@@ -214,8 +216,8 @@ fn borrow_axes(graph: &mut Graph, tree: &mut Tree, index: usize) {
     }
 }
 
-/// Merges each link with all links welded to it, from the tips to the ground; welded links
-/// are left without mass.
+/// Merges all links that are welded to a link into it, from the tips to the ground. The welded
+/// links remain, without mass.
 pub fn merge_welds(graph: &mut Graph, tree: &mut Tree) {
     for index in (0..tree.links.len()).rev() {
         let link = tree.links[index].clone();
@@ -240,7 +242,8 @@ pub fn merge_welds(graph: &mut Graph, tree: &mut Tree) {
     }
 }
 
-/// Writes links carried by frames at right angles in the axes of their carriers.
+/// Writes links that are carried by frames at right angles in the axes of the carriers of the
+/// frames.
 pub fn drop_frames(graph: &mut Graph, tree: &mut Tree) {
     for index in 0..tree.links.len() {
         let link = &tree.links[index];
@@ -268,7 +271,7 @@ pub fn drop_frames(graph: &mut Graph, tree: &mut Tree) {
                 let before = graph.sum(&twist.angular);
                 twist.angular = turning.to_carrier(graph, twist.angular);
                 twist.linear = turning.to_carrier(graph, twist.linear);
-                // an axis may be rotated into the opposite of one
+                // the rotation may take an axis to the opposite of a coordinate axis
                 let after = graph.sum(&twist.angular);
                 if before != after {
                     link.angle = link.angle.map(|angle| graph.negate(angle));
@@ -306,7 +309,7 @@ fn carried_by(tree: &Tree, index: usize) -> Vec<usize> {
     all
 }
 
-/// The axis of a hinge.
+/// The coordinate axis of a hinge, if it rotates about one.
 fn hinge(graph: &Graph, tree: &Tree, index: usize) -> Option<usize> {
     match tree.links[index].freedoms.as_slice() {
         [freedom] => match freedom.twist.axis(graph)? {
@@ -317,9 +320,9 @@ fn hinge(graph: &Graph, tree: &Tree, index: usize) -> Option<usize> {
     }
 }
 
-/// The candidate displacements of an origin along the axis of its hinge: to the point nearest to
-/// the origin of the carrier, to the center of mass, and to the carried joints; none if there is no
-/// difference.
+/// The displacements of an origin along the axis of its hinge that are tried: to the point nearest
+/// to the origin of the carrier, to the center of mass, and to the carried joints. `None` if the
+/// origin is there already.
 fn distances(graph: &mut Graph, tree: &Tree, index: usize) -> Vec<Option<Id>> {
     let Some(axis) = hinge(graph, tree, index) else {
         return Vec::new();

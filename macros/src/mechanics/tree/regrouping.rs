@@ -1,4 +1,5 @@
-//! Parts of a link that are equivalent to a part of the carrier, for its joint.
+//! Parts of a link that could as well be fixed to its carrier, since its joint does not distinguish
+//! them.
 
 use crate::symbolic::Graph;
 
@@ -8,8 +9,9 @@ use super::spatial_vector::Along;
 use super::turning::Turning;
 
 impl Properties {
-    /// The part that moves as if it were fixed to the carrier, whatever the joint does: for a hinge
-    /// a rod along its axis, for a slide the inertia, for a ball joint a point mass at its center.
+    /// The part that moves as if it were fixed to the carrier, whatever the joint does: for a
+    /// hinge, a rod along its axis; for a slide, the inertia; for a ball joint, a point mass at its
+    /// center.
     fn fixed_part(&self, graph: &mut Graph, link: &Link, side: usize) -> Option<Self> {
         let mut part = Self::none(graph);
         match link.freedoms.as_slice() {
@@ -39,8 +41,7 @@ impl Properties {
     }
 }
 
-/// Moves the parts of links that are equivalent to parts of their carriers to these (R34). Parts of
-/// the ground are dropped.
+/// Moves such parts of links to the carriers (R34). Parts that move to the ground are dropped.
 pub fn regroup(graph: &mut Graph, tree: &mut Tree, sides: &[usize]) {
     for index in (0..tree.links.len()).rev() {
         let link = &tree.links[index];
@@ -53,7 +54,8 @@ pub fn regroup(graph: &mut Graph, tree: &mut Tree, sides: &[usize]) {
             continue;
         }
         let (place, turning, carrier) = (link.place, link.turning, link.carrier);
-        // the part moved by a hinge is the same in both axes; a welded link is rotated
+        // the part of a hinge has the same components in both axes; that of a welded link is
+        // rotated
         let seen = if link.freedoms.is_empty() {
             part.turned(graph, turning)
         } else {
@@ -68,8 +70,8 @@ pub fn regroup(graph: &mut Graph, tree: &mut Tree, sides: &[usize]) {
     }
 }
 
-/// A link whose rotation changes nothing keeps the axes of its carrier (R37): a symmetric rotor
-/// that carries nothing, and on which no load acts except its drive and gravity.
+/// Gives links whose rotation changes nothing the axes of their carriers (R37): symmetric rotors
+/// that carry nothing, and on which no load acts except the drive and gravity.
 pub fn keep_axes(graph: &Graph, tree: &mut Tree) {
     for index in 0..tree.links.len() {
         if turns_unseen(graph, tree, index) {
@@ -78,7 +80,7 @@ pub fn keep_axes(graph: &Graph, tree: &mut Tree) {
     }
 }
 
-/// The parts of each link that the equations leave out, and why.
+/// What the equations leave out of each link, and why.
 pub fn left_out(graph: &Graph, before: &Tree, after: &Tree) -> Vec<String> {
     let mut lines = Vec::new();
     for (index, (link, own)) in after.links.iter().zip(&before.links).enumerate() {
@@ -91,7 +93,7 @@ pub fn left_out(graph: &Graph, before: &Tree, after: &Tree) -> Vec<String> {
         }
         if graph.is_zero(link.properties.mass) && !graph.is_zero(own.properties.mass) {
             let carrier = match beyond(graph, after, index).map(|carrier| &after.links[carrier]) {
-                // a massless link of its own joint has it
+                // it belongs to a massless link of the same joint
                 Some(part) if part.name == *name => continue,
                 Some(carrier) => format!("`{}`", carrier.name),
                 None => "the ground".to_owned(),

@@ -11,7 +11,7 @@ pub struct SpatialVector {
     pub linear: Components,
 }
 
-/// A motion about or along one of the axes, in either sense.
+/// Whether a motion is about or along a coordinate axis, in either sense.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Along {
     Angular(usize),
@@ -35,7 +35,7 @@ impl SpatialVector {
         }
     }
 
-    /// The single axis that a twist is about or along, with unit rate.
+    /// The coordinate axis that a twist of unit rate is about or along, if there is one.
     pub fn axis(&self, graph: &Graph) -> Option<Along> {
         let is_unit = |a: Id| graph.as_number(a).is_some_and(|a| a.abs().is_one());
         let only =
@@ -57,7 +57,7 @@ impl SpatialVector {
         }
     }
 
-    /// Names of both vectors.
+    /// Names both vectors.
     pub fn name(&self, labels: &mut Labels, [angular, linear]: [&str; 2], of: &str) {
         labels.vector_or_one(angular, of, self.angular);
         labels.vector(&format!("{linear}_{of}"), self.linear);

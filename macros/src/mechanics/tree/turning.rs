@@ -8,18 +8,18 @@ type Rows = [Components; 3];
 #[derive(Clone, Copy, PartialEq)]
 pub enum Turning {
     Parallel,
-    /// About one of the axes.
+    /// About one of the coordinate axes.
     About {
         axis: usize,
         cosine: Id,
         sine: Id,
     },
-    /// By its matrix.
+    /// Given by a matrix.
     By(Rows),
 }
 
 impl Turning {
-    /// About any unit vector: `c 1 + (1 - c) d d + s [d]x`.
+    /// The rotation about any unit vector: `c 1 + (1 - c) d d + s [d]x`.
     pub fn about(graph: &mut Graph, direction: Components, cosine: Id, sine: Id) -> Self {
         let is_unit = |a: Id| graph.as_number(a).is_some_and(|a| a.abs().is_one());
         let is_axis = |axis: &usize| is_unit(direction[*axis]) && graph.is_along(direction, *axis);
@@ -51,14 +51,14 @@ impl Turning {
         }))
     }
 
-    /// About one of the axes.
+    /// The rotation by an angle about one of the coordinate axes.
     pub fn by_angle(graph: &mut Graph, axis: usize, angle: Id) -> Self {
         let cosine = graph.apply(Function::Cos, &[angle]);
         let sine = graph.apply(Function::Sin, &[angle]);
         Self::About { axis, cosine, sine }
     }
 
-    /// By a unit quaternion: `1 + 2 w [q]x + 2 [q]x [q]x`.
+    /// The rotation by a unit quaternion: `1 + 2 w [q]x + 2 [q]x [q]x`.
     pub fn quaternion(graph: &mut Graph, w: Id, q: Components) -> Self {
         let twice = graph.add_vectors(q, q);
         let twice = graph.quantities(twice);
@@ -85,7 +85,7 @@ impl Turning {
         Self::By(rows)
     }
 
-    /// The same rotation, by its matrix.
+    /// The same rotation, given by its matrix.
     pub fn as_matrix(self, graph: &mut Graph) -> Self {
         let columns = graph
             .unit_vectors()
@@ -93,7 +93,7 @@ impl Turning {
         Self::By(transposed(&columns))
     }
 
-    /// This rotation applied after `then`.
+    /// The rotation that first applies `then`, and after it this one.
     pub fn after(self, graph: &mut Graph, then: Self) -> Self {
         let columns = graph.unit_vectors().map(|unit| {
             let once = then.to_carrier(graph, unit);
@@ -103,7 +103,7 @@ impl Turning {
         Self::By(transposed(&columns))
     }
 
-    /// The same rotation after both axes are transformed by `rows`, a matrix of right angles.
+    /// The same rotation if both axes are themselves rotated by `rows`, a matrix of right angles.
     pub fn seen_turned(self, graph: &mut Graph, rows: Rows) -> Self {
         match self {
             Self::Parallel => self,
@@ -139,8 +139,8 @@ impl Turning {
         }
     }
 
-    /// `R T R^T` of a symmetric tensor; about an axis `T_11 - s p`, `T_22 + s p`, `c p - T_12` with
-    /// `p = s (T_11 - T_22) + 2 c T_12`.
+    /// `R T R^T` for a symmetric tensor. About an axis, its entries are `T_11 - s p`, `T_22 + s p`
+    /// and `c p - T_12`, where `p = s (T_11 - T_22) + 2 c T_12`.
     pub fn tensor(self, graph: &mut Graph, tensor: &Rows) -> Rows {
         match self {
             Self::Parallel => *tensor,
@@ -178,7 +178,7 @@ impl Turning {
         }
     }
 
-    /// `R B R^T` of any matrix.
+    /// `R B R^T` for any matrix.
     pub fn matrix(self, graph: &mut Graph, matrix: &Rows) -> Rows {
         match self {
             Self::Parallel => *matrix,
@@ -219,7 +219,7 @@ fn about(graph: &mut Graph, axis: usize, cosine: Id, sine: Id, v: Components) ->
     turned
 }
 
-/// The block across the axis of a matrix that is rotated about it.
+/// The block, across the axis, of a matrix that is rotated about this axis.
 fn block(
     graph: &mut Graph,
     [cosine, sine]: [Id; 2],

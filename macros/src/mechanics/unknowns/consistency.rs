@@ -1,11 +1,12 @@
 //! The distance of a state from its constraints, and the correction.
 //!
-//! The projection moves the state along `M^-1 A^T`, the shortest way in the metric of the kinetic
-//! energy: `S l = g` with `S = A M^-1 A^T`, then `q - M^-1 A^T l`; and likewise the velocities.
+//! The projection moves the state along `M^-1 A^T`, which is the shortest way in the metric of the
+//! kinetic energy: `S l = g` with `S = A M^-1 A^T`, then `q - M^-1 A^T l`. Velocities are moved in
+//! the same way.
 //!
-//! The same metric gives the rounding of a constraint, as `|A q| <= sqrt(S) |q|`: a
-//! state has rounded coordinates, of the size of the radius of inertia of its mass about the
-//! origin, and velocities of the size of its kinetic energy.
+//! The same metric bounds the rounding error of a constraint, by `|A q| <= sqrt(S) |q|`. For
+//! positions, the size of the state is the radius of inertia of its mass about the origin; for
+//! velocities, it is the kinetic energy.
 
 use crate::mechanics::balances::{response, turned_by, twice_kinetic};
 use crate::model::{Inertia, Model, Pair, Workspace};
@@ -13,7 +14,7 @@ use crate::symbolic::{Components, Function, Graph, Id, Node};
 
 use super::constrained::Constrained;
 
-/// One constraint, as passed to the runtime.
+/// One constraint, as it is passed to the runtime.
 #[derive(Clone)]
 pub struct Consistency {
     pub name: String,
@@ -23,9 +24,9 @@ pub struct Consistency {
     pub velocity: (Id, Id),
     /// `M^-1 A^T`, in the order of the acceleration.
     pub direction: Vec<Id>,
-    /// The row of `S`.
+    /// Its row of `S`.
     pub coupling: Vec<Id>,
-    /// Whether it follows from the others wherever all hold.
+    /// Whether it follows from the others wherever all of them hold.
     pub follows: bool,
 }
 
@@ -79,7 +80,7 @@ pub fn derive_consistency(
             direction: {
                 let Pair { linear, angular } = directions[row];
                 let angular = match model.state.axis {
-                    // the change of the axis of a rod takes the place of the angular one
+                    // for a rod, the change of its axis takes the place of the angular change
                     Some(axis) => turned_by(work, axis, angular),
                     None => angular,
                 };
@@ -97,7 +98,7 @@ pub fn derive_consistency(
     list.collect()
 }
 
-/// The bound of a constraint in a state of this size, in which zeros arise only by
+/// The sizes that bound the rounding errors of a constraint in a state whose zeros may come from
 /// cancellation.
 pub struct Reach {
     pub position: Option<Id>,
@@ -126,14 +127,15 @@ pub fn derive_reach(
     list.collect()
 }
 
-/// The rounding of a constraint, whose terms have this size, in a state of this size.
+/// The size that bounds the rounding error of a constraint, from the size of its terms and that of
+/// the state.
 pub fn reached(graph: &mut Graph, size: Id, coupling: Id, of_state: Id) -> Id {
     let square = graph.multiply(coupling, of_state);
     let across = graph.apply(Function::Sqrt, &[square]);
     graph.apply(Function::Max, &[size, across])
 }
 
-/// `m r^2 + tr J`: an attitude is known to the rounding of one radian.
+/// `m r^2 + tr J`: an attitude has the rounding error of one radian.
 fn spread(model: &Model, work: &mut Workspace) -> Id {
     let graph = &mut work.graph;
     let inertia = match &model.inertia {
@@ -150,7 +152,7 @@ fn spread(model: &Model, work: &mut Workspace) -> Id {
     graph.add(moving, inertia)
 }
 
-/// The size of the terms of the sum of a value; for a product, of those of its factors.
+/// The size of the terms of a sum; for a product, the product of those of its factors.
 pub fn summed_size(graph: &mut Graph, value: Id) -> Id {
     let (mut factors, mut sums, mut rest) = (vec![value], Vec::new(), graph.one());
     while let Some(factor) = factors.pop() {
@@ -175,7 +177,7 @@ pub fn summed_size(graph: &mut Graph, value: Id) -> Id {
     })
 }
 
-/// An attitude is known to the rounding of one radian.
+/// Adds the size of angles: an attitude has the rounding error of one radian.
 fn with_angles(graph: &mut Graph, size: Id, angular: Components) -> Id {
     angular.into_iter().fold(size, |size, part| {
         if graph.is_zero(part) {

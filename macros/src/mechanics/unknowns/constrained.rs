@@ -1,5 +1,5 @@
-//! A constraint with its derivatives, and the branches on which it is not trivial: one that is
-//! constant on a branch has no gradient there.
+//! A constraint with its derivatives, and the branches on which it is not trivial. Where it is
+//! constant on a branch, it has no gradient.
 
 use proc_macro2::Ident;
 
@@ -8,22 +8,22 @@ use crate::mechanics::variation::{Rates, rates};
 use crate::model::{Level, Model, Workspace};
 use crate::symbolic::Id;
 
-/// The limit of conditions that are examined together.
+/// The most conditions that are examined together.
 const MOST: usize = 6;
 
 /// A constraint with its derivatives.
 pub struct Constrained {
     pub name: String,
     pub place: Ident,
-    /// `g`; none for a velocity constraint.
+    /// `g`; `None` for a constraint of velocities.
     pub position: Option<Id>,
     /// `h`
     pub velocity: Id,
-    /// `b`, and `A` by its linear and its angular part.
+    /// `b`, and the linear and angular parts of `A`.
     pub rates: Rates,
 }
 
-/// Each constraint with its conditions on velocities and accelerations.
+/// All constraints, with their conditions on velocities and accelerations.
 pub fn differentiate(model: &Model, work: &mut Workspace) -> Vec<Constrained> {
     let constraints = model.constraints.iter().map(|constraint| {
         let value = constraint.value;
@@ -42,7 +42,8 @@ pub fn differentiate(model: &Model, work: &mut Workspace) -> Vec<Constrained> {
     constraints.collect()
 }
 
-/// The branches on which the gradient of a constraint is not proved to be zero; `None` for all.
+/// The branches on which the gradient of a constraint is not proved to be zero; `None` if these are
+/// all.
 pub fn active(work: &mut Workspace, gradient: &[Id]) -> Option<Id> {
     let conditions = work.graph.conditions(gradient);
     if conditions.is_empty() || conditions.len() > MOST {

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! If the reactions point along the gradients of their constraints, `A_i . D_j` is symmetric and
-//! positive: a sum of squares over masses.
+//! positive: each diagonal entry is a sum of squares divided by masses.
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::balances::{EulerForm, check_moment_free, response, rod, solve_balances};
@@ -109,8 +109,8 @@ fn constraint_row(
     (coefficients, graph.negate(known))
 }
 
-/// Names the parts of the equation of a constraint: its derivatives, the effect of each unknown, and
-/// what the unknowns have to make up for.
+/// Names the parts of the equation of a constraint: its derivatives, the effect of each unknown,
+/// and the remainder that the unknowns have to balance.
 fn name_row(
     work: &mut Workspace,
     constraint: &Constrained,
@@ -133,8 +133,8 @@ fn name_row(
     labels.name(*right, format!("{of}_to_balance"));
 }
 
-/// The balances that the free accelerations leave over: the moments about G, for a body that does
-/// not rotate; those of a support, if its reactions are requested.
+/// The balances that the free accelerations do not satisfy: the moments about G, for a body that
+/// does not rotate; those of a support, if its reactions are requested.
 fn rows_left(
     model: &Model,
     work: &mut Workspace,
@@ -198,9 +198,9 @@ fn sizes(
         .collect()
 }
 
-/// `A . D` is the product of a gradient and a load in the metric of the kinetic energy. If the load
-/// pushes along the gradient it is a sum of squares; otherwise it is at most the product of their
-/// lengths, and vanishes where they are perpendicular.
+/// The size of `A . D`, the product of a gradient and a load in the metric of the kinetic energy.
+/// If the load is along the gradient, it is a sum of squares. Otherwise, it is at most the product
+/// of their lengths, and vanishes where they are perpendicular.
 fn size(model: &Model, work: &mut Workspace, constraint: &Constrained, push: &Push<'_>) -> Size {
     let gradient = constraint.rates.factors;
     let values = samples(work, &[gradient.entries(), push.free.entries()].concat());

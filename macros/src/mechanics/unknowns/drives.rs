@@ -5,10 +5,10 @@
 //!                             b: the remainder without them
 //! ```
 //!
-//! If there are as many balances as unknowns, along axes in which no other unknown appears, they
-//! are solved directly. If there are more, the motion is assumed to be one that the drives can
-//! produce, and the drives follow from Gauss's principle: the remaining acceleration is least in
-//! the metric of the kinetic energy:
+//! If, in some axes, there are as many balances as unknowns in them, the balances are solved
+//! directly. If there are more, the motion is assumed to be one that the drives can produce. Then
+//! the drives follow from Gauss's principle: the remaining acceleration is minimal in the metric of
+//! the kinetic energy:
 //!
 //! ```text
 //! sum of (w_i . M^-1 w_j) u_j = -w_i . M^-1 b
@@ -27,8 +27,8 @@ use super::rows::{BalanceRow, equations};
 use super::solvability::{OF_DRIVES, check_across, check_determined};
 use super::unit::{Unit, assemble, name_values, names};
 
-/// Solves for the drives of the model, under constraints together with the reactions that keep
-/// these. `free` are the balances along the free directions of the body.
+/// Solves for the drives of the model; under constraints, together with the reactions that keep the
+/// constraints. `free` are the balances along the free directions of the body.
 pub fn solve_drives(
     model: &Model,
     work: &mut Workspace,
@@ -41,7 +41,7 @@ pub fn solve_drives(
     } else {
         pushes(model, work)
     };
-    // otherwise the load of a support follows from the motion, and drives nothing
+    // if no load depends on it, the load of a support only follows from the motion, and is left out
     let meets_supports = pushes.iter().any(|push| push.supports && push.is_followed);
     let is_held = !model.constraints.is_empty() && !model.motion.has_attitude();
     let held = if is_held || meets_supports {
@@ -75,8 +75,8 @@ pub fn solve_drives(
     Some(drives.collect())
 }
 
-/// The balances in which unknowns appear, if there are as many along some axes; preferably axes in
-/// which the coefficients are known early.
+/// The balances that contain unknowns, in axes in which there are at most as many of them as
+/// unknowns. Axes in which the coefficients are known early are preferred.
 fn as_many(
     model: &Model,
     work: &mut Workspace,
@@ -85,7 +85,7 @@ fn as_many(
     rest: (Vector, Vector),
 ) -> Option<Vec<Equation>> {
     let (world, body) = (Frame::WORLD, model.state.body);
-    // the moments about an axis that is fixed in the body
+    // for a hinge, moments are about an axis that is fixed in the body
     let is_hinged = model.motion.is_hinged();
     let mut found = None;
     for frames in [(world, body), (body, body), (world, world), (body, world)] {
@@ -105,7 +105,7 @@ fn as_many(
     found
 }
 
-/// The balances in which unknowns appear, of forces and of moments in these axes.
+/// The balances of forces and of moments, in these axes, that contain unknowns.
 fn balances(
     work: &mut Workspace,
     rows: &[BalanceRow],
@@ -124,7 +124,7 @@ fn balances(
     equations(work, system)
 }
 
-/// Gauss's principle, and the balances that hold the body.
+/// The equations of Gauss's principle, and the balances that hold the body.
 fn nearest(
     model: &Model,
     work: &mut Workspace,
@@ -133,7 +133,7 @@ fn nearest(
     rest: (Vector, Vector),
 ) -> Vec<Equation> {
     let is_in_body = |unit: &Unit<'_>| work.is_in(unit.force, model.state.body);
-    // a mass is the same in all axes
+    // since a mass is the same in all axes, any axes will do for forces
     let of_forces = if model.motion.has_attitude() && units.iter().all(is_in_body) {
         model.state.body
     } else {

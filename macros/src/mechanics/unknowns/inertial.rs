@@ -1,4 +1,4 @@
-//! The remainder of the balances after the given loads and the inertia.
+//! What the given loads and the inertia leave in the balances.
 
 use crate::mechanics::balances::{inertia_about_center, known_parts, moments_about, resultant};
 use crate::model::{Frame, Load, Meaning, Model, Pair, Variable, Vector, Workspace};
@@ -21,7 +21,7 @@ pub fn inertial(model: &Model, work: &mut Workspace, accelerations: Pair) -> (Ve
     resistance(model, work, acceleration, change)
 }
 
-/// An angular acceleration with all its components; for a hinge there is one.
+/// An angular acceleration with all its components, also for a hinge, which has only one.
 fn spatial(model: &Model, work: &mut Workspace, angular: Components) -> Components {
     let graph = &mut work.graph;
     match model.hinge(graph) {
@@ -30,7 +30,7 @@ fn spatial(model: &Model, work: &mut Workspace, angular: Components) -> Componen
     }
 }
 
-/// `-m a`, and minus the rate of the angular momentum.
+/// `-m a`, and the negative of the rate of the angular momentum.
 fn resistance(
     model: &Model,
     work: &mut Workspace,
@@ -45,7 +45,7 @@ fn resistance(
     (force, work.vector(model.state.axes, change))
 }
 
-/// The symbols of the accelerations: each with its variable, and its component.
+/// The symbols of the accelerations, each with its variable and the index of its component.
 pub fn acceleration_symbols(model: &Model, work: &Workspace) -> Vec<(Id, Variable, usize)> {
     let state = &model.state;
     let mut roots = work.entries(&[state.acceleration]);
@@ -62,7 +62,7 @@ pub fn acceleration_symbols(model: &Model, work: &Workspace) -> Vec<(Id, Variabl
     symbols.collect()
 }
 
-/// The change of these by the acceleration due to one unit of an unknown.
+/// The change of these due to the acceleration that one unit of an unknown causes.
 pub fn inertial_change(
     model: &Model,
     work: &mut Workspace,
@@ -82,7 +82,8 @@ pub fn inertial_change(
     resistance(model, work, acceleration, change)
 }
 
-/// Sum of the given forces and their moment about the center, minus the inertial ones.
+/// The sum of the given forces and that of their moments about the center, each with the inertial
+/// part.
 pub fn balances_without_unknowns(
     model: &Model,
     work: &mut Workspace,
@@ -93,7 +94,7 @@ pub fn balances_without_unknowns(
     balances_of(model, work, &model.loads, known, accelerations)
 }
 
-/// The same for other loads, and for forces with their moments.
+/// The same for these loads, and for further forces with their moments.
 pub fn balances_of(
     model: &Model,
     work: &mut Workspace,

@@ -1,9 +1,9 @@
 //! Inverse dynamics: the drives that produce a given motion.
 //!
-//! The same balances as in [`super::reactions`], with the accelerations given and the drives
-//! unknown together with the reactions. The motion is assumed to be one that the drives can
-//! produce: balances in which no unknown appears are ignored. If coefficients depend on the
-//! configuration, or there are fewer drives than balances in which they appear, [`super::drives`]
+//! The balances are those of [`super::reactions`], but the accelerations are given, and the drives
+//! are unknown together with the reactions. The motion is assumed to be one that the drives can
+//! produce: balances that contain no unknown are ignored. If coefficients depend on the
+//! configuration, or if there are fewer drives than balances that contain them, [`super::drives`]
 //! solves for them.
 
 use crate::errors::Errors;
@@ -40,8 +40,8 @@ pub fn derive_inverse(
     Some(drives.collect())
 }
 
-/// The drives: with constant coefficients if there are axes in which they are constant, and there
-/// are as many drives as balances.
+/// The drives. They are solved for with constant coefficients if these are constant in some axes
+/// and there are as many drives as balances.
 fn solve(
     model: &Model,
     work: &mut Workspace,
@@ -85,7 +85,7 @@ fn free_balances(model: &Model, work: &mut Workspace) -> Vec<BalanceRow> {
     rows
 }
 
-/// The accelerations as symbols; for a rod there is `u x u''`.
+/// The accelerations as symbols; for a rod, the angular one is `u x u''`.
 fn accelerations(model: &Model, work: &Workspace) -> Pair {
     let zeros = work.graph.zeros();
     let (mut linear, mut angular) = (zeros, zeros);

@@ -1,4 +1,4 @@
-//! The balances that do not determine the accelerations.
+//! The balances that are left over, because they do not determine accelerations.
 
 use crate::families::LoadKind;
 use crate::model::{Model, Workspace};
@@ -17,7 +17,7 @@ const MOMENTS: [&str; 3] = [
     "the moments about z",
 ];
 
-/// The balances that do not determine the accelerations.
+/// The balances that are left over.
 pub fn balances_left(model: &Model, work: &mut Workspace) -> Vec<BalanceRow> {
     let units = work.graph.unit_vectors();
     let row = |names: [&'static str; 3], kind: LoadKind| {
@@ -38,7 +38,7 @@ pub fn balances_left(model: &Model, work: &mut Workspace) -> Vec<BalanceRow> {
     rows
 }
 
-/// Two directions perpendicular to an axis: the other two axes, if it is one of them.
+/// Two directions perpendicular to an axis; if it is a coordinate axis, the other two.
 pub fn across(work: &mut Workspace, d: Components) -> [(&'static str, Components); 2] {
     let graph = &mut work.graph;
     let units = graph.unit_vectors();

@@ -1,7 +1,7 @@
-//! The effect of one unit of each unknown: its load, the loads that depend on it, and the
-//! acceleration.
+//! The effect of one unit of each unknown: its own load, the loads that depend on it, and the
+//! acceleration that these cause.
 //!
-//! A load may name an unknown reaction R, as friction does with `-mu R`. It is linear in R:
+//! A load may name an unknown reaction R, as friction does with `-mu R`. It is then linear in R:
 //! `F(R) = F(known) + sum of u_j dF/dR . e_j`.
 
 use crate::errors::Extent;
@@ -16,17 +16,18 @@ use super::unit::Unit;
 /// One unit of an unknown, and its effect under constraints.
 pub struct Push<'m> {
     pub unit: Unit<'m>,
-    /// Another load depends on it.
+    /// Whether another load depends on it.
     pub is_followed: bool,
     /// Its load, along the free directions of the body.
     pub free: Pair,
-    /// It acts at the held point: by itself it causes no acceleration.
+    /// Whether it acts at the held point, so that by itself it causes no acceleration.
     pub supports: bool,
     /// The acceleration that it causes.
     pub accelerations: Pair,
 }
 
-/// The loads without the unknowns: the known loads, with the unknowns set to zero.
+/// The loads without the unknowns: the given loads and the known parts of reactions, with the
+/// unknowns set to zero.
 pub fn known_loads(model: &Model, work: &mut Workspace) -> Vec<Load> {
     let mut values = Vec::new();
     let mut loads = Vec::new();
@@ -50,7 +51,7 @@ pub fn known_loads(model: &Model, work: &mut Workspace) -> Vec<Load> {
     loads
 }
 
-/// The symbols of a reaction, by axis; zero where it has none.
+/// The symbols of the components of a reaction; zero where it has none.
 fn symbols(work: &Workspace, reaction: &Reaction) -> Components {
     work.part(reaction.symbols, Frame::WORLD)
 }
@@ -109,7 +110,7 @@ fn free_load(model: &Model, work: &mut Workspace, unit: &Unit<'_>) -> Pair {
     }
 }
 
-/// The loads that depend on a reaction, for one unit along an axis of it.
+/// What the loads that depend on a reaction become per unit along one of its axes.
 fn followers(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usize) -> Vec<Load> {
     let direction = reaction.direction(work, reaction.frame, axis);
     let unit = work.components(direction, Frame::WORLD);

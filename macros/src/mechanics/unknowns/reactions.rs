@@ -1,8 +1,8 @@
-//! Unknown reactions, from the balances that the accelerations leave over.
+//! Unknown reactions, from the balances that do not determine the accelerations.
 //!
-//! The accelerations follow from the balances along the free directions, in which ideal reactions
-//! do not appear: the motion needs no reaction, and none is computed unless requested.
-//! The remainder of (1.3) and (1.4) is linear in the reactions:
+//! The accelerations follow from the balances along the free directions. Ideal reactions do not
+//! appear there: the motion needs no reaction, and none is computed unless it is requested. The
+//! remaining part of (1.3) and (1.4) is linear in the reactions:
 //!
 //! ```text
 //! sum of F + sum of R - m a = 0
@@ -22,7 +22,7 @@ use super::rows::{BalanceRow, SolvedBalances, Unmoved, equations};
 use super::solvability::{check_balanced, check_supports, check_workless};
 use super::unit::{Unit, named_result};
 
-/// Solves for the unknown components; failures are reported on them.
+/// Solves for the unknown components. Failures are reported at these components.
 pub fn derive_reactions(
     model: &Model,
     work: &mut Workspace,
@@ -52,9 +52,9 @@ pub fn derive_reactions(
     Some(in_world.collect())
 }
 
-/// The components of unknown loads that satisfy the balances of `rows`, in a motion with these
-/// accelerations. If coefficients are not constant in any axes, the error is the place of an
-/// unknown that causes this.
+/// Solves for the components of unknown loads that satisfy the balances of `rows`, in a motion with
+/// these accelerations. If the coefficients are not constant in any axes, the error is the place of
+/// an unknown that causes this.
 pub fn solve_unknowns<'m>(
     model: &Model,
     work: &mut Workspace,
@@ -89,7 +89,7 @@ pub fn solve_unknowns<'m>(
 }
 
 /// The axes of the balances: those of the world if all unknowns can be written in them with
-/// constant coefficients, otherwise those of the body. All three components of an unknown vector
+/// constant coefficients, otherwise those of the body. An unknown vector with all three components
 /// can be written in any axes.
 fn choose_frame(model: &Model, work: &mut Workspace, loads: &[&Reaction]) -> Result<Frame, Extent> {
     let center = model.state.center(work);
@@ -109,15 +109,15 @@ fn choose_frame(model: &Model, work: &mut Workspace, loads: &[&Reaction]) -> Res
             mixed = mixed.or(place);
         }
     }
-    // without an attitude the axes are the same
+    // without an attitude, both axes are the same
     if in_world || !model.motion.has_attitude() {
         return Ok(Frame::WORLD);
     }
     mixed.map_or(Ok(model.state.body), Err)
 }
 
-/// Whether the unknown components of a reaction are the same unknowns in body axes and
-/// in world axes: all of them, or, about a coordinate axis, the component along it or those
+/// Whether the unknown components of a reaction are the same unknowns in body axes and in world
+/// axes: all three; or, if the body rotates about a coordinate axis, the one along it or the two
 /// perpendicular to it.
 fn is_in_any_axes(model: &Model, work: &mut Workspace, reaction: &Reaction) -> bool {
     let hinge = model.hinge(&mut work.graph);

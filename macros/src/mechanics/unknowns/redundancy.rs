@@ -1,4 +1,5 @@
-//! Checks that constraints and unknowns determine each other, with the errors and their places.
+//! Checks that the constraints determine the unknowns and the unknowns keep all constraints, with
+//! errors at their places.
 
 use std::collections::BTreeSet;
 
@@ -10,7 +11,7 @@ use crate::symbolic::{Elimination, Id, Residue};
 use super::constrained::Constrained;
 use super::pushes::Push;
 
-/// The gradient of a constraint on one branch, reduced by those before it.
+/// The gradient of a constraint on one branch, with its parts along earlier gradients removed.
 struct Reduced {
     index: usize,
     lead: usize,
@@ -19,7 +20,7 @@ struct Reduced {
     of: Vec<usize>,
 }
 
-/// Reports constraints that are proved to follow from others: the reactions would not be
+/// Reports constraints that are proved to follow from others, because their reactions would not be
 /// determined.
 pub fn check_independent(
     work: &mut Workspace,
@@ -42,7 +43,7 @@ pub fn check_independent(
         .collect();
     let mut independent = true;
     for (index, constraint) in constraints.iter().enumerate() {
-        // on every branch
+        // it must follow from the others on every branch
         let of: Option<Vec<&Vec<usize>>> = redundant
             .iter()
             .map(|branch| branch[index].as_ref())
@@ -68,8 +69,8 @@ pub fn check_independent(
     independent.then_some(())
 }
 
-/// For gradients on one branch, the others that each follows from; `None` for an independent one,
-/// or one without a value.
+/// For each gradient on one branch, the others that it follows from. `None` if it is independent or
+/// has no value.
 fn redundant(gradients: &[Option<Vec<Residue>>]) -> Vec<Option<Vec<usize>>> {
     let mut basis: Vec<Reduced> = Vec::new();
     let redundant = gradients.iter().enumerate().map(|(index, gradient)| {
@@ -89,7 +90,7 @@ fn redundant(gradients: &[Option<Vec<Residue>>]) -> Vec<Option<Vec<usize>>> {
     redundant.collect()
 }
 
-/// A gradient without its parts along `basis`, and the constraints of these parts.
+/// A gradient without its parts along `basis`, and the constraints that these parts belong to.
 fn reduce(mut gradient: Vec<Residue>, basis: &[Reduced]) -> (Vec<Residue>, Vec<usize>) {
     let mut of = Vec::new();
     for known in basis {
@@ -109,7 +110,7 @@ fn reduce(mut gradient: Vec<Residue>, basis: &[Reduced]) -> (Vec<Residue>, Vec<u
     (gradient, of)
 }
 
-/// Constraints that no unknown keeps, and remaining balances that are not satisfied.
+/// Reports constraints that no unknown keeps, and remaining balances that are not satisfied.
 pub fn check_kept(
     model: &Model,
     constraints: &[Constrained],

@@ -1,4 +1,4 @@
-//! The balances from which unknowns are solved.
+//! The balances that determine the unknowns.
 
 use crate::families::LoadKind;
 use crate::mechanics::proofs::samples;
@@ -25,8 +25,8 @@ impl BalanceRow {
         }
     }
 
-    /// Its equation for loads with unknown factors, from their forces and moments and from `rest`,
-    /// in these axes of forces and of moments.
+    /// The equation of this balance for unknown factors of loads, from the forces and moments of
+    /// the loads and from `rest`, with forces and moments in these axes.
     pub fn sides(
         &self,
         work: &mut Workspace,
@@ -47,7 +47,7 @@ impl BalanceRow {
     }
 }
 
-/// The treatment of balances in which no unknown appears.
+/// How balances that contain no unknown are treated.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Unmoved {
     /// They must hold by themselves.
@@ -56,7 +56,7 @@ pub enum Unmoved {
     Ignored,
 }
 
-/// The equations of the balances for the unknowns.
+/// The balances, solved for the unknowns.
 pub struct SolvedBalances<'m> {
     pub units: Vec<Unit<'m>>,
     pub rows: Vec<BalanceRow>,
@@ -66,14 +66,14 @@ pub struct SolvedBalances<'m> {
 }
 
 impl SolvedBalances<'_> {
-    /// A load, with its known part and its solved part.
+    /// A load: the sum of its known part and the part that was solved for.
     pub fn load(&self, work: &mut Workspace, load: &Reaction) -> Vector {
         let values = self.elimination.values.iter();
         let values: Vec<Id> = values.map(|value| work.graph.unnamed(*value)).collect();
         assemble(work, load, self.units.iter().zip(values))
     }
 
-    /// The balances in which no unknown appears, and which do not hold by themselves.
+    /// The balances that contain no unknown and do not hold by themselves.
     pub fn unbalanced(&self, work: &Workspace) -> impl Iterator<Item = &BalanceRow> {
         let spare = self.elimination.spare.iter();
         let unmet = spare.filter(|(_, right)| !work.graph.is_zero(*right));
@@ -88,7 +88,7 @@ impl SolvedBalances<'_> {
 /// The coefficients of an equation, and its right side.
 pub type Sides = (Vec<Id>, Id);
 
-/// All coefficients and right sides as equations.
+/// Turns coefficients and right sides into equations.
 pub fn equations(work: &Workspace, rows: Vec<Sides>) -> Vec<Equation> {
     let all: Vec<Id> = rows.iter().flat_map(|(row, _)| row.clone()).collect();
     let mut values = samples(work, &all).into_iter();

@@ -1,4 +1,4 @@
-//! Checks that the balances determine the reactions, with the errors and their places.
+//! Checks that the balances determine the reactions, with errors at their places.
 
 use crate::errors::{Errors, Extent};
 use crate::families::LoadKind;
@@ -9,8 +9,8 @@ use crate::symbolic::{Elimination, Number, Undetermined};
 use super::rows::SolvedBalances;
 use super::unit::{Unit, names};
 
-/// Along the free directions of the body, a reaction would be a drive: the
-/// accelerations were found without it.
+/// Reports reactions along the free directions of the body. There, a reaction would be a drive, but
+/// the accelerations were found without it.
 pub fn check_workless(model: &Model, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
     let mut workless = true;
     for reaction in &model.reactions {
@@ -49,13 +49,13 @@ fn does_work(model: &Model, work: &mut Workspace, reaction: &Reaction, axis: usi
     let arm = arm(&model.state, work, point, center);
     let arm = work.components(arm, model.state.body);
     let graph = &mut work.graph;
-    // d.(P - C) x e = e.d x (P - C); without an axis, any d
+    // d.(P - C) x e = e.d x (P - C) must vanish; without an axis, for any d
     let swept = hinge.map_or(arm, |d| graph.cross(d, arm));
     let stays = swept.map(|component| graph.vanishes(component));
     let turns_with_body = frame == model.state.body || is_whole;
     match hinge {
         Some(_) if turns_with_body => !stays[axis],
-        // a load in world axes takes all directions perpendicular to the axis
+        // as the body rotates, a load in world axes takes all directions perpendicular to the axis
         Some(d) => stays != [true; 3] && !graph.is_along(d, axis),
         None => stays != [true; 3],
     }
@@ -84,16 +84,16 @@ fn drive(model: &Model, reaction: &Reaction) -> String {
     format!("a reaction does no work, and {reason}")
 }
 
-/// The message for undetermined unknowns of a kind.
+/// What to say about undetermined unknowns of some kind.
 #[derive(Clone, Copy)]
 pub struct Advice {
-    /// For one that appears in nothing.
+    /// If the unknown appears in no equation.
     pub alone: &'static str,
-    /// When its value is zero.
+    /// When the value of the unknown is zero.
     pub zero: &'static str,
 }
 
-/// Under constraints.
+/// For reactions under constraints.
 pub const OF_REACTIONS: Advice = Advice {
     alone: "no constraint is left for it to keep; write its value, 0 if nothing holds the body there",
     zero: "if it carries nothing",
@@ -104,7 +104,7 @@ pub const OF_DRIVES: Advice = Advice {
     zero: "if it is at rest",
 };
 
-/// Undetermined unknowns of a support, and of additional drives.
+/// Reports undetermined unknowns of a support and of additional drives.
 pub fn check_supports(
     model: &Model,
     work: &Workspace,
@@ -126,7 +126,7 @@ pub fn check_supports(
     check_determined(work, &names, &solved.elimination, advice, errors)
 }
 
-/// Undetermined unknowns, each by its name and its place.
+/// Reports undetermined unknowns, each by its name at its place.
 pub fn check_determined(
     work: &Workspace,
     unknowns: &[(String, Extent)],
@@ -168,7 +168,7 @@ pub fn check_determined(
     elimination.undetermined.is_empty().then_some(())
 }
 
-/// `a.x + 2 * b.x`
+/// A sum in words, such as `a.x + 2 * b.x`.
 fn combination(terms: &[(&Number, &str)]) -> String {
     let terms = terms.iter().enumerate().map(|(index, (number, name))| {
         let sign = match (number.is_negative(), index) {
@@ -187,7 +187,7 @@ fn combination(terms: &[(&Number, &str)]) -> String {
     terms.collect()
 }
 
-/// Balances that nothing can meet are reported on the first unknown.
+/// Reports balances that no unknown can satisfy, at the first unknown.
 pub fn check_balanced(
     work: &Workspace,
     solved: &SolvedBalances<'_>,
@@ -204,8 +204,8 @@ pub fn check_balanced(
     solved.is_balanced(work).then_some(())
 }
 
-/// For a rod: nothing balances a moment about the axis. That of one unit of an unknown has no such
-/// part.
+/// Reports moments about the axis of a rod, which nothing balances: the moment of one unit of an
+/// unknown must have no part along the axis.
 pub fn check_across<'u>(
     model: &Model,
     work: &mut Workspace,

@@ -1,4 +1,4 @@
-//! The unknown components of loads: the effect of one unit of each.
+//! The effect of one unit of each unknown component of a load.
 
 use crate::errors::Extent;
 use crate::mechanics::balances::{about_pole, moments_about, resultant};
@@ -10,16 +10,16 @@ pub struct Unit<'m> {
     pub load: &'m Reaction,
     pub axis: usize,
     pub place: Extent,
-    /// The load of the component alone.
+    /// The load that is one unit of this component.
     pub direction: Vector,
-    /// Including the loads that depend on it.
+    /// The force, including that of the loads that depend on it.
     pub force: Vector,
-    /// The same, about the center.
+    /// The moment about the center, likewise.
     pub moment: Vector,
 }
 
 impl<'m> Unit<'m> {
-    /// For an unknown component, by its axis and its place, including dependent loads.
+    /// One unit of the unknown component with this axis and place, including dependent loads.
     pub fn new(
         model: &Model,
         work: &mut Workspace,
@@ -45,8 +45,8 @@ impl<'m> Unit<'m> {
         }
     }
 
-    /// For each unknown component of loads separately, in the axes in which it is written, or
-    /// others.
+    /// One unit of each unknown component of these loads, in the axes in which it is written, or in
+    /// other axes if given.
     pub fn list(
         model: &Model,
         work: &mut Workspace,
@@ -68,7 +68,7 @@ impl<'m> Unit<'m> {
     }
 }
 
-/// The names of unknowns in messages, and their places.
+/// The names of unknowns for messages, and their places.
 pub fn names<'u>(
     model: &Model,
     units: impl IntoIterator<Item = &'u Unit<'u>>,
@@ -77,7 +77,7 @@ pub fn names<'u>(
     units.map(|unit| (unit.name(model), unit.place)).collect()
 }
 
-/// Names the values of unknowns, and their divisors.
+/// Names the values of unknowns and the divisors that give them.
 pub fn name_values(work: &mut Workspace, names: &[(String, Extent)], elimination: &Elimination) {
     for ((name, _), value) in names.iter().zip(&elimination.values) {
         work.labels.name(*value, name.replace('.', "_"));
@@ -88,7 +88,7 @@ pub fn name_values(work: &mut Workspace, names: &[(String, Extent)], elimination
     }
 }
 
-/// A load: its known part, and the values of its units.
+/// A load: the sum of its known part and its units times their values.
 pub fn assemble<'u>(
     work: &mut Workspace,
     load: &Reaction,

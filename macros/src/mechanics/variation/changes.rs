@@ -1,7 +1,7 @@
-//! The changes of expressions in one direction, forwards: the chain rule from the leaves to the
+//! The changes of expressions in one direction, by the forward chain rule: from the leaves to the
 //! roots.
 //!
-//! A rotated vector changes as a vector does, whatever the form of its rotation: as the body
+//! A rotated vector changes as a vector does, whatever the form of its rotation. As the body
 //! rotates by phi,
 //!
 //! ```text
@@ -16,7 +16,7 @@ use crate::symbolic::{Components, Id};
 use super::direction::Direction;
 use super::leaves::Leaves;
 
-/// The changes of `roots`, which have these leaves.
+/// The changes of `roots`, whose leaves these are.
 pub fn changes(
     work: &mut Workspace,
     roots: &[Id],
@@ -38,7 +38,7 @@ pub fn changes(
     work.graph.change(roots, |id| known.get(&id).copied())
 }
 
-/// The change of a rotated vector, from that of the vector.
+/// The change of a rotated vector, from the change of the original vector.
 fn of_turned(
     work: &mut Workspace,
     turn: &Turn,
@@ -51,7 +51,7 @@ fn of_turned(
     };
     let phi = work.components(*phi, body);
     match (body == turn.from, work.attitude(turn.from)) {
-        // about an axis, phi has the same components in both axes, and the result exists already
+        // about an axis, phi has the same components in both axes, and the product exists already
         (true, Attitude::Axis { .. }) => {
             let swept = work.graph.cross(phi, turn.turned);
             let carried = work.turn(inner, turn.from, turn.to);

@@ -1,8 +1,8 @@
 //! Directions in which a state may change: tangent vectors of the space of states.
 //!
 //! The attitude changes by a small rotation phi, whatever its form: vectors fixed in the body
-//! change by `phi x r`, and a quaternion by
-//!
+//! Whatever its form, an attitude changes by a small rotation phi. Vectors fixed in the body change
+//! by `phi x r`, and a quaternion by
 //! ```text
 //! q' = q (0, phi) / 2    phi in body axes        q' = (0, phi) q / 2    phi in world axes
 //! ```
@@ -14,15 +14,16 @@ use crate::symbolic::{Components, Graph, Id, Node, Number};
 
 /// A direction in the space of states.
 pub struct Direction {
-    /// The change of each symbol; others are constant.
+    /// The change of each symbol. Symbols that are not listed are constant.
     pub changes: BTreeMap<Id, Id>,
-    /// The rotation of each frame relative to the one that carries it; others are constant.
+    /// The rotation of each frame relative to its carrier. Frames that are not listed do not
+    /// rotate.
     pub turns: BTreeMap<Frame, Vector>,
 }
 
 impl Direction {
-    /// The motion of the body and user-defined states, with velocities held; inputs are held,
-    /// unless they move.
+    /// The motion of the body and the rates of user-defined states, with constant velocities, and
+    /// constant inputs unless they are `.moving`.
     pub fn motion(model: &Model, work: &mut Workspace) -> Self {
         let state = &model.state;
         let phi = work.vector(state.axes, state.angular_velocity);
@@ -41,7 +42,7 @@ impl Direction {
         motion
     }
 
-    /// The world is rotated about `e`: vectors written in its axes rotate with it.
+    /// A rotation of the world about `e`: vectors written in its axes rotate with it.
     pub fn turn_of_world(model: &Model, work: &mut Workspace, e: Components) -> Self {
         let state = &model.state;
         let phi = work.vector(Frame::WORLD, e);
@@ -55,7 +56,8 @@ impl Direction {
         turn
     }
 
-    /// The axes of the body are rotated back about `e`: vectors written in them rotate with `e`.
+    /// A backward rotation of the body axes about `e`: the components of vectors written in them
+    /// rotate forward about `e`.
     pub fn turn_of_axes(model: &Model, work: &mut Workspace, e: Components) -> Self {
         let w = model.state.angular_velocity;
         let back = work.graph.negate_vector(e);
@@ -66,8 +68,8 @@ impl Direction {
         turn
     }
 
-    /// One symbol changes by one, with its consequences: axes whose angle it is rotate
-    /// with it. Without it, nothing changes.
+    /// A change of one symbol by one, with its consequences: if the symbol is an angle, the axes
+    /// rotate with it. Without a symbol, nothing changes.
     pub fn of_symbol(work: &mut Workspace, symbol: Option<Id>) -> Self {
         let one = work.graph.one();
         let mut turns = BTreeMap::new();
@@ -88,7 +90,7 @@ impl Direction {
         }
     }
 
-    /// The body is rotated, and nothing else changes.
+    /// A rotation of the body, with everything else constant.
     pub fn turn(work: &mut Workspace, body: Frame, phi: Vector) -> Self {
         let [own, world] = [body, Frame::WORLD].map(|frame| work.part(phi, frame));
         let attitude = work.attitude(body);
@@ -129,7 +131,7 @@ fn world_parts(work: &Workspace, vectors: [Vector; 2]) -> [Components; 2] {
     vectors.map(|vector| work.part(vector, Frame::WORLD))
 }
 
-/// A vector of the state changes; components that the motion lacks are constant.
+/// Adds the change of a vector of the state. Components that the motion does not have are constant.
 fn change(graph: &Graph, changes: &mut BTreeMap<Id, Id>, vector: Components, by: Components) {
     let is_symbol = |id: Id| matches!(graph.node(id), Node::Symbol(_)) && !graph.is_early(id);
     let parts = vector.into_iter().zip(by);

@@ -1,12 +1,12 @@
-//! The leaves of expressions, without descending into rotations.
+//! The leaves of expressions; rotations are not taken apart.
 
 use std::collections::{HashMap, HashSet};
 
 use crate::model::{Turn, Workspace};
 use crate::symbolic::{Components, Id, Node};
 
-/// The late symbols on which expressions depend, and the rotated vectors in them, each after those
-/// in it.
+/// The late symbols that expressions depend on, and the rotated vectors in them. Each rotated
+/// vector comes after those that it contains.
 pub struct Leaves {
     pub symbols: HashSet<Id>,
     pub turns: Vec<Turn>,
@@ -19,7 +19,7 @@ impl Leaves {
         let first = |turn: &Turn| late(turn.turned).min();
         let mut turned: HashMap<Id, &Turn> = HashMap::new();
         for turn in &work.turned {
-            // the original precedes its rotated components; otherwise these do not show the
+            // the original must precede its rotated components, otherwise these do not contain the
             // rotation
             if late(turn.vector).max() < first(turn) {
                 for part in late(turn.turned) {
@@ -47,7 +47,8 @@ impl Leaves {
         Self { symbols, turns }
     }
 
-    /// The same, and the roots, with norms that are level where they are zero.
+    /// The same leaves, and the roots rewritten so that the slopes of norms are zero where the
+    /// norms are.
     pub fn with_level_norms(work: &mut Workspace, roots: &[Id]) -> (Self, Vec<Id>) {
         let Self { symbols, mut turns } = Self::of(work, roots);
         let turned = turns.iter().flat_map(|turn| turn.turned);

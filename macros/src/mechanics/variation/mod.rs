@@ -1,4 +1,4 @@
-//! The change of expressions with time and with the place of the body.
+//! How expressions change with time and with the place of the body.
 
 mod changes;
 mod direction;

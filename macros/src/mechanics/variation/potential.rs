@@ -1,15 +1,15 @@
 //! Potentials as loads: `F = -dU/dR` and `K = -dU/dphi` (34.2), (34.6).
 //!
-//! The derivative along a rotation does not pass through the rotation. As the body rotates by phi,
-//! given in body axes, a vector fixed in the body changes in the world, and one fixed in the world
-//! changes in the body, by
+//! The rotation itself is not differentiated. As the body rotates by phi, given in body axes, a
+//! vector fixed in the body changes in the world, and a vector fixed in the world changes in the
+//! body, by
 //!
 //! ```text
 //! d(R v) = R (phi x v)        d(R^T v) = -phi x (R^T v)
 //! ```
 //!
-//! so with the slope g of U along the rotated vector r, K is `(R^T g) x v` or `r x g`; and along v
-//! itself the slope is g, rotated back.
+//! So if U has the slope g along the rotated vector r, K is `(R^T g) x v` or `r x g`. The slope
+//! along v itself is g, rotated back.
 
 use std::collections::{HashMap, HashSet};
 
@@ -21,22 +21,22 @@ use super::direction::Direction;
 use super::slopes::Slopes;
 use super::spring_arm;
 
-/// The loads of a potential.
+/// What becomes of a potential.
 pub struct Derived {
     pub energy: Id,
-    /// By the bodies of the form.
+    /// The load on each body of the form.
     pub on: Vec<Draw>,
-    /// Along each joint coordinate, `-dU/dq`.
+    /// The load along each joint coordinate, `-dU/dq`.
     pub along: Vec<Id>,
 }
 
-/// Its load on a body.
+/// The load of a potential on a body.
 #[derive(Clone, Copy)]
 pub struct Draw {
     pub force: Vector,
-    /// About G, or about the held point; body axes.
+    /// The moment about G or about the held point, in body axes.
     pub moment: Components,
-    /// At the axis of a rod, `-dU/du`; world axes.
+    /// The pull at the axis of a rod, `-dU/du`, in world axes.
     pub pull: Components,
 }
 
@@ -88,7 +88,7 @@ fn load(model: &Model, work: &mut Workspace, index: usize, derived: &Draw, energ
     }
 }
 
-/// Late operations of the expressions that enter the accelerations.
+/// The number of late operations of the expressions that the accelerations contain.
 fn cost(model: &Model, work: &mut Workspace, derived: &[Draw]) -> u32 {
     let mut roots = Vec::new();
     if model.motion.translates() {
@@ -103,7 +103,7 @@ fn cost(model: &Model, work: &mut Workspace, derived: &[Draw]) -> u32 {
     work.graph.late_cost(&roots).total()
 }
 
-/// Forces and moments, made of rotated vectors that are still kept apart.
+/// The forces and moments of a potential, in terms of rotated vectors that are still kept apart.
 pub fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
     let place = symbols_of_place(work, form);
     let mut slopes = Slopes::along_leaves(work, energy, place.clone());
@@ -116,7 +116,8 @@ pub fn derive(work: &mut Workspace, form: &Form, energy: Id) -> Derived {
             continue;
         }
         let Some(number) = body_of(form, turn) else {
-            // into axes that are held: the vector may still depend on the place
+            // the axes that it was rotated into are held, but the vector may still depend on the
+            // place
             slopes.pass_on(work, turn, slope);
             continue;
         };
@@ -162,8 +163,8 @@ fn body_of(form: &Form, turn: &Turn) -> Option<usize> {
     form.bodies.iter().position(|known| known.body == frame)
 }
 
-/// The slope along the position, in body axes, if the vector rotated into them is the position or a
-/// distance from it. Forces of one body are added before they are rotated.
+/// The slope along the position, in body axes, if the position, or a distance from it, is the
+/// vector that was rotated into them. So forces of one body are added before they are rotated.
 fn carried(
     work: &mut Workspace,
     displacement: Components,
@@ -212,8 +213,8 @@ fn symbols_of_place(work: &Workspace, form: &Form) -> HashSet<Id> {
     symbols
 }
 
-/// The moment of an energy that was written in terms of the attitude itself, and of a rod the pull
-/// at its axis, `-dU/du`.
+/// The moment of an energy that is written with the attitude itself; for a rod, the pull at its
+/// axis, `-dU/du`.
 fn of_attitude(
     work: &mut Workspace,
     displaced: &Displaced,
@@ -242,8 +243,8 @@ fn of_attitude(
     (moment, zeros)
 }
 
-/// Replaces symbols that were kept apart by the rotated vectors, and other symbols by what they
-/// stand for. Names stay with the expressions that they name.
+/// Replaces symbols that were kept apart by the rotated vectors, and other symbols by the
+/// expressions that they stand for. Named expressions keep their names.
 pub fn expand(work: &mut Workspace, form: &Form, derived: &[Derived]) -> Vec<Derived> {
     let mut values: HashMap<Id, Id> = form.stands_for.iter().copied().collect();
     for turn in &form.turns {

@@ -10,11 +10,11 @@ use crate::symbolic::Id;
 use super::direction::Direction;
 use super::slopes::Slopes;
 
-/// The derivative of an expression in time; inputs are held, unless they move.
+/// The time derivative of an expression. Inputs are constant unless they are `.moving`.
 pub struct Rates {
     /// The part that does not depend on the accelerations.
     pub rate: Id,
-    /// The factors of the accelerations; for a rod, of the acceleration without spin.
+    /// The factors of the accelerations; for a rod, of an angular acceleration without spin.
     pub factors: Pair,
 }
 
@@ -24,7 +24,8 @@ pub fn rates(model: &Model, work: &mut Workspace, value: Id) -> Rates {
     let mut rate = slopes.along(work, &motion);
     let mut angular = slopes.by_variable(work, body, Variable::AngularVelocity);
     if let Some(Axis { unit, rate: moving }) = model.state.axis {
-        // u'' = w' x u - u'^2 u: a slope g along u' is one along w, `u x g`, and a rate
+        // u'' = w' x u - u'^2 u: a slope g along u' is a slope `u x g` along w, and adds to the
+        // rate
         let slope = slopes.by(work, moving);
         let graph = &mut work.graph;
         angular = graph.cross(unit, slope);

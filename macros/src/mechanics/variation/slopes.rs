@@ -1,8 +1,8 @@
 //! Slopes: the change of an expression along any direction of the space of states.
 //!
-//! The chain rule, backwards, gives all of them: from the expression down to its leaves, which are
-//! the symbols of the state and rotated vectors. The latter count as vectors, whatever their
-//! rotation depends on; as the body turns by phi,
+//! The backward chain rule gives all of them: it goes from the expression down to its leaves, which
+//! are the symbols of the state and rotated vectors. A rotated vector counts as a vector, whatever
+//! its rotation depends on. As the body rotates by phi,
 //!
 //! ```text
 //! u = R v:      p . u' = R^T p . (v' + phi x v)          phi and v in body axes
@@ -26,7 +26,7 @@ pub struct Slopes {
 }
 
 impl Slopes {
-    /// Along all that moves.
+    /// The slopes along everything that moves.
     pub fn of(work: &mut Workspace, value: Id) -> Self {
         let leaves = Leaves::of(work, &[value]);
         Self::of_leaves(work, value, leaves)
@@ -47,7 +47,7 @@ impl Slopes {
         slopes
     }
 
-    /// Along these alone; rotated vectors among them are not passed on.
+    /// The slopes along these leaves only. Those along rotated vectors are not passed on.
     pub fn along_leaves(work: &mut Workspace, value: Id, leaves: HashSet<Id>) -> Self {
         let mut slopes = Self {
             leaves,
@@ -68,10 +68,11 @@ impl Slopes {
         }
     }
 
-    /// The slope along a turned vector, once all vectors that contain it are passed on.
+    /// Takes the slope along a rotated vector, once those of all vectors that contain it are passed
+    /// on.
     pub fn take(&mut self, work: &Workspace, turn: &Turn) -> Components {
         let mut slope = self.by(work, turn.turned);
-        // components that are equal are one leaf
+        // equal components are one leaf, whose slope counts once
         for (place, part) in slope.iter_mut().enumerate() {
             if turn.turned[..place].contains(&turn.turned[place]) {
                 *part = work.graph.zero();
@@ -81,9 +82,9 @@ impl Slopes {
         slope
     }
 
-    /// Passes the slope along a rotated vector on to its components.
+    /// Passes the slope along a rotated vector on to what its components are made of.
     pub fn pass_on(&mut self, work: &mut Workspace, turn: &Turn, slope: Components) {
-        // a vector that was rotated before is a leaf, too
+        // a vector that was rotated earlier is a leaf, too
         let is_leaf = |id: &Id| self.leaves.contains(id);
         let reached = work.graph.reachable(&turn.vector, |id| !is_leaf(&id));
         if reached.iter().any(is_leaf) {
@@ -93,12 +94,12 @@ impl Slopes {
         }
     }
 
-    /// Along the components of a vector.
+    /// The slopes along the components of a vector.
     pub fn by(&self, work: &Workspace, vector: Components) -> Components {
         vector.map(|part| self.by_symbol(work, part))
     }
 
-    /// Along one symbol.
+    /// The slope along one symbol.
     pub fn by_symbol(&self, work: &Workspace, symbol: Id) -> Id {
         let known = self.by_leaf.get(&symbol).copied();
         known.unwrap_or(work.graph.zero())
@@ -130,11 +131,11 @@ impl Slopes {
     }
 }
 
-/// The part of the change of a turned vector that is due to the rotation of the body.
+/// The part of the change of a rotated vector that comes from the rotation of the body.
 fn along_turned(work: &mut Workspace, phi: Components, turn: &Turn, slope: Components) -> Id {
     let is_outwards = work.turned_frame(turn) == turn.from;
     let (swept, by) = match (is_outwards, work.attitude(turn.from)) {
-        // about an axis, phi has the same components in both axes, and the result is there already
+        // about an axis, phi has the same components in both axes, and the product exists already
         (true, Attitude::Axis { .. }) => (work.graph.cross(phi, turn.turned), slope),
         (true, _) => {
             let swept = work.graph.cross(phi, turn.vector);

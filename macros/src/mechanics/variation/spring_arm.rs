@@ -1,8 +1,8 @@
 //! The moment `r x g` of a slope g along a rotated vector r.
 //!
-//! The part of g along r is dropped before the multiplication: only its rounding would remain, and
-//! would grow with the length of r. The force of a spring to a distant hook is `s (c r + b)`, and
-//! its arm is b. The force of several springs is a sum of such terms.
+//! The part of g along r is dropped before the multiplication. Otherwise, its rounding errors would
+//! remain, and grow with the length of r. The force of a spring to a distant hook is `s (c r + b)`,
+//! so its arm is b. The force of several springs is a sum of such terms.
 
 use std::collections::HashSet;
 
@@ -39,7 +39,8 @@ fn across(graph: &mut Graph, r: Components, slope: Components) -> Components {
     if is_less { sum } else { slope }
 }
 
-/// The terms that are not linear in r, and then those that are, up to a factor, collected by it.
+/// The terms that are not linear in r, followed by those that are, which are collected by their
+/// factors.
 fn by_factor(
     graph: &mut Graph,
     r: Components,
@@ -66,8 +67,8 @@ fn by_factor(
     groups
 }
 
-/// A term as a factor and what follows the symbol at an early rate, or does not depend on the
-/// place.
+/// A term, written as a factor times something that depends on the symbol linearly, with a rate
+/// known early, or that does not depend on the place.
 fn linear(graph: &mut Graph, symbol: Id, place: &HashSet<Id>, term: Id) -> Option<(Id, Id)> {
     let one = graph.one();
     let (early, late) = graph.split_factor(term);
@@ -87,8 +88,8 @@ fn linear(graph: &mut Graph, symbol: Id, place: &HashSet<Id>, term: Id) -> Optio
     Some((factor, graph.multiply(early, part)))
 }
 
-/// The rate, known early, at which each component of a vector follows its own of the `symbols`, and
-/// none of the others in `place`.
+/// The rate, known early, at which each component of a vector changes with its own symbol, if all
+/// rates are equal and no component depends on other symbols in `place`.
 pub fn common_rate(
     graph: &mut Graph,
     vector: Components,

@@ -8,7 +8,7 @@ use crate::symbolic::Id;
 
 use super::potential::{Draw, derive_form};
 
-/// The potentials of a system become loads on bodies, and drives of joints.
+/// Turns the potentials of a system into loads on bodies, and drives of joints.
 pub fn with_system_potentials(mut system: System, work: &mut Workspace) -> System {
     let (mut on_bodies, mut along_joints) = (Vec::new(), Vec::new());
     for form in &system.potentials.forms {
@@ -40,7 +40,7 @@ pub fn with_system_potentials(mut system: System, work: &mut Workspace) -> Syste
     system
 }
 
-/// The body on which a load acts, by its index; none if there is no load.
+/// The index of the body on which a load acts; `None` if there is no load.
 fn place_of(system: &System, frame: Frame, draw: &Draw, work: &Workspace) -> Option<usize> {
     if draw.force.is_zero() && work.graph.is_zero_vector(&draw.moment) {
         return None;

@@ -13,7 +13,7 @@ use crate::symbolic::Id;
 use super::potential::{Derived, Draw, derive, expand};
 use super::slopes::Slopes;
 
-/// One for each constraint, of these levels.
+/// The unit load of each constraint, for these levels.
 pub fn derive_unit_loads(
     work: &mut Workspace,
     form: &Form,

@@ -1,10 +1,10 @@
-//! The result of composing the parts of a body.
+//! What is known of a body once its parts are composed.
 
 use crate::symbolic::{Components, Graph, Id};
 
 use super::inertia::Inertia;
 
-/// The result of composing the parts of a body.
+/// What is known of a body once its parts are composed.
 #[derive(Clone, Copy, Debug)]
 pub struct Composed {
     pub mass: Id,
@@ -13,10 +13,10 @@ pub struct Composed {
     pub origin: Origin,
 }
 
-/// The origin of the points of a body.
+/// The origin from which the points of a body are written.
 #[derive(Clone, Copy, Debug)]
 pub enum Drawn {
-    /// Its G.
+    /// The body's G.
     Alone,
     /// Another origin.
     From(Origin),
@@ -33,17 +33,18 @@ impl Drawn {
     }
 }
 
-/// The place of G of a body drawn from another origin.
+/// The place of G of a body that is drawn from another origin.
 #[derive(Clone, Copy, Debug)]
 pub struct Origin {
-    /// For parts, the place of the first one, from the drawing origin.
+    /// A place in the drawing from which offsets are measured: for a composed body, that of its
+    /// first part.
     pub first: Components,
-    /// G, from there.
+    /// G, measured from that place.
     pub center: Components,
 }
 
 impl Origin {
-    /// The offset from G of a point written from the drawing origin.
+    /// The offset from G of a point that is written from the drawing origin.
     pub fn offset(&self, graph: &mut Graph, point: Components) -> Components {
         let from_first = graph.subtract_vectors(point, self.first);
         graph.subtract_vectors(from_first, self.center)

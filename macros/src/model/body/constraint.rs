@@ -8,7 +8,7 @@ use crate::symbolic::Id;
 /// A scalar that the motion keeps at zero.
 #[derive(Clone)]
 pub struct Constraint {
-    /// Its name; for a component of a vector, `pin.x`.
+    /// Its name, such as `pin.x` for a component of a vector.
     pub name: String,
     /// The name in the description.
     pub place: Ident,
@@ -16,21 +16,21 @@ pub struct Constraint {
     pub extent: Extent,
     pub level: Level,
     pub value: Id,
-    /// The user-defined states that it follows, each at its first place.
+    /// The user-defined states that it depends on, each with the place where it is first mentioned.
     pub states: Vec<(Id, Extent)>,
 }
 
-/// The level of a constraint.
+/// What a constraint restricts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Level {
-    /// On the place of the body: differentiated twice.
+    /// The place of the body: it is differentiated twice.
     Position,
-    /// On its motion: differentiated once.
+    /// The velocities of the body: it is differentiated once.
     Velocity,
 }
 
 impl Level {
-    /// The number of differentiations.
+    /// How often the constraint is differentiated.
     pub fn derivatives(self) -> usize {
         match self {
             Self::Position => 2,

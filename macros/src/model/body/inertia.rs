@@ -1,4 +1,4 @@
-//! The inertia of a body about a point, by its entries.
+//! The inertia of a body about a point, given by its entries.
 
 use crate::symbolic::{Components, Graph, Id};
 
@@ -7,15 +7,16 @@ use crate::symbolic::{Components, Graph, Id};
 pub enum Inertia {
     /// The body does not rotate, or no inertia was given.
     Absent,
-    /// About the axis through G normal to the plane, or about every axis through G across a rod.
+    /// About the axis through G normal to the plane; for a rod, about every axis through G
+    /// perpendicular to it.
     Scalar(Id),
     /// The tensor, by rows.
     Spatial([Components; 3]),
 }
 
 impl Inertia {
-    /// `J + m (r^2 1 - r r)`: the inertia about G, taken about a point at the offset `r`, which is
-    /// in the plane, or along a rod.
+    /// `J + m (r^2 1 - r r)`: the inertia about a point at the offset `r` from G. For a single
+    /// moment, `r` is in the plane or along the rod.
     pub fn displaced(self, graph: &mut Graph, mass: Id, r: Components) -> Self {
         match self {
             Self::Absent => Self::Absent,
@@ -37,7 +38,8 @@ impl Inertia {
         }
     }
 
-    /// `J w' + w x J w`: the change of the angular momentum; for one number, `J w'`.
+    /// `J w' + w x J w`: the rate of change of the angular momentum. For a single moment, it is
+    /// `J w'`.
     pub fn change(self, graph: &mut Graph, w: Components, rate: Components) -> Components {
         let Self::Spatial(rows) = self else {
             return self.times(graph, rate);
@@ -59,7 +61,7 @@ impl Inertia {
         }
     }
 
-    /// Its moments, each positive or NaN.
+    /// The inertia with its moments replaced by NaN where they are not positive.
     pub fn positive(self, graph: &mut Graph) -> Self {
         match self {
             Self::Absent => Self::Absent,
@@ -73,7 +75,7 @@ impl Inertia {
         }
     }
 
-    /// All nine entries; zeros if it is unknown.
+    /// All nine entries, by rows; zeros if there is no inertia.
     pub fn rows(self, graph: &mut Graph) -> [Components; 3] {
         let mut rows = [graph.zeros(); 3];
         match self {
@@ -93,7 +95,7 @@ impl Inertia {
         }
     }
 
-    /// The one number, or the entries xx, yy, zz, xy, yz, zx.
+    /// The single moment, or the entries xx, yy, zz, xy, yz, zx.
     pub fn distinct_entries(self) -> Vec<Id> {
         match self {
             Self::Absent => Vec::new(),
@@ -102,7 +104,7 @@ impl Inertia {
         }
     }
 
-    /// The one number, or all nine by rows.
+    /// The single moment, or all nine entries, by rows.
     pub fn entries(self) -> Vec<Id> {
         match self {
             Self::Absent => Vec::new(),
@@ -112,7 +114,8 @@ impl Inertia {
     }
 }
 
-/// `J + m (r^2 1 - r r)`: the inertia `J` about G, taken about a point at the offset `r`.
+/// `J + m (r^2 1 - r r)`: from the inertia `J` about G, the inertia about a point at the offset
+/// `r`.
 pub fn displaced(
     graph: &mut Graph,
     mass: Id,
@@ -139,7 +142,7 @@ pub fn entries(rows: &[Components; 3]) -> [Id; 6] {
     ENTRIES.map(|(_, row, column)| rows[row][column])
 }
 
-/// Entries of a symmetric matrix, by row and column.
+/// The names of the distinct entries of a symmetric matrix, with row and column.
 pub const ENTRIES: [(&str, usize, usize); 6] = [
     ("xx", 0, 0),
     ("yy", 1, 1),

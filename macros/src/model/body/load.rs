@@ -15,22 +15,22 @@ pub struct Load {
     pub force: Vector,
     /// The point of action of the force.
     pub point: Point,
-    /// The moment without that of the force.
+    /// The moment, without that of the force.
     pub moment: Vector,
-    /// For a potential of a rod: the pull at its axis u, `-dU/du` in world axes; the moment is
+    /// For the potential of a rod: the pull `-dU/du` at its axis u, in world axes. The moment is
     /// `u x` this.
     pub pull: Option<Components>,
-    /// The potential from which it follows, if there is one: it then acts all over the body, and
-    /// `point` is an arbitrary choice.
+    /// The potential from which the load is derived, if there is one. Such a load acts all over the
+    /// body, and `point` is arbitrary.
     pub potential: Option<Id>,
-    /// The part to underline if the load is at fault.
+    /// What errors about the load underline.
     pub extent: Extent,
     /// The place where it mentions an unknown reaction.
     pub mention: Option<Extent>,
 }
 
 impl Load {
-    /// A load of one kind, at a point.
+    /// A load that is only a force or only a moment.
     pub fn new(name: Ident, family: Family, kind: LoadKind, vector: Vector, point: Point) -> Self {
         let (force, moment) = match kind {
             LoadKind::Force => (vector, Vector::ZERO),

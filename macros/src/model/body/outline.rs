@@ -1,4 +1,4 @@
-//! The facts about a description that are known even if it has errors: names, types and signatures.
+//! What is known of a description even if it has errors: names, types and signatures.
 
 use std::collections::HashSet;
 
@@ -10,11 +10,11 @@ use crate::model::joints::{Field, Group, Motion, OWN, Shape};
 use crate::model::words::{AXES, Dimension, Frame, FrameWord, Meaning, Unit, Variable};
 use crate::symbolic::Number;
 
-/// A requested output, and its place.
+/// A requested output, and where it is requested.
 pub struct Asked {
     pub word: &'static str,
     pub place: Extent,
-    /// It has no meaning if nothing moves by itself.
+    /// Whether it has no meaning if nothing moves by itself.
     pub is_of_motion: bool,
 }
 
@@ -22,47 +22,49 @@ pub struct Asked {
 /// loads.
 pub struct Outline {
     pub name: Ident,
-    /// The scalar over which the body is generic; none for a body of `f64`.
+    /// The scalar over which the body is generic; `None` for a body of `f64`.
     pub scalar: Option<Ident>,
     /// The path of the runtime crate.
     pub runtime: TokenStream,
     pub doc: Vec<String>,
     pub motion: Motion,
-    /// It is a system, not a single body.
+    /// Whether it is a system, not a single body.
     pub is_system: bool,
     /// For a system: its bodies.
     pub bodies: Vec<Ident>,
     /// For a system: its moving joints, each a field of its state.
     pub joints: Vec<Jointed>,
-    /// For a system: the joints that hold the carried body in some direction.
+    /// For a system: the joints that hold the carried body in some direction, so that they have
+    /// reactions.
     pub holding: Vec<Ident>,
     /// For a system: the joints whose reactions are requested, if not all.
     pub held: Option<Vec<Ident>>,
-    /// For a system: the loads of written constraints, `pin_x` for the first component of `pin`; if
-    /// there are errors, all possible ones.
+    /// For a system: the names of the loads of written constraints, such as `pin_x` for the first
+    /// component of `pin`. If there are errors, all possible names.
     pub kept: Vec<Ident>,
-    /// For a system: the points whose Jacobians are requested, each `body_point`.
+    /// For a system: the points whose Jacobians are requested, each as `body_point`.
     pub points: Vec<Ident>,
-    /// For a system: the drives of joints with prescribed motion, by joint and as reactions.
+    /// For a system: the drives of joints with prescribed motion: the joint, and the name among the
+    /// reactions.
     pub driving: Vec<(Ident, Ident)>,
-    /// Rust constants and functions of the user, which are known once the body is built.
+    /// Rust constants and functions of the user. Their values are known once the body is built.
     pub foreign: Vec<Ident>,
     pub params: Vec<Declared>,
     pub inputs: Vec<Declared>,
-    /// User-defined states, each a field of its state.
+    /// User-defined states, each a field of the state.
     pub states: Vec<Declared>,
     pub outputs: Vec<Asked>,
     /// Loads with unknown components, by name.
     pub reactions: Vec<(Ident, LoadKind)>,
     /// Drives with unknown components, by name.
     pub drives: Vec<(Ident, LoadKind)>,
-    /// One of them has a direction that rotates relative to the body, as far as its words show.
+    /// Whether a drive has a direction that rotates relative to the body, as far as its form shows.
     pub has_turning_drive: bool,
     /// Whether the motion is under constraints.
     pub is_constrained: bool,
     /// Number of given loads.
     pub loads: usize,
-    /// For a system: its open drives, by name, with the number of components.
+    /// For a system: the names of its open drives, with the numbers of their components.
     pub open: Vec<(Ident, usize)>,
     /// Names that nothing in the description refers to.
     pub unused: Vec<Ident>,
@@ -95,14 +97,14 @@ impl Outline {
         second.map(|field| field.names.len()).sum()
     }
 
-    /// The coordinates of the tangent space of its states: first the coordinates, joint by
-    /// joint, then the rates, and last the user-defined states.
+    /// The coordinates of the tangent space of its states: first the coordinates, joint by joint,
+    /// then the rates, and last the user-defined states.
     pub fn tangent(&self) -> Vec<Group> {
         let [places, rates] = [Shape::places, Shape::rates].map(|of| self.by_shape(of));
         [places, rates, self.own("")].concat()
     }
 
-    /// Its accelerations, in the order of the rates; for a user-defined state its rate.
+    /// Its accelerations, in the order of the rates, followed by the rates of user-defined states.
     pub fn accelerations(&self) -> Vec<Group> {
         [self.by_shape(Shape::accelerations), self.own("_rate")].concat()
     }
@@ -119,7 +121,7 @@ impl Outline {
         groups.collect()
     }
 
-    /// Its state is a generated struct with a field for each part.
+    /// Whether its state is a generated struct with a field for each part.
     pub fn has_parts(&self) -> bool {
         self.is_system || !self.states.is_empty()
     }
@@ -131,7 +133,7 @@ impl Outline {
         let alone =
             (!self.is_system).then(|| (Ident::new("motion", self.name.span()), self.motion.shape));
         let states = self.states.iter().map(|state| (state.name.clone(), &OWN));
-        // duplicates are reported
+        // repeated names are reported
         let mut seen = HashSet::new();
         let all = alone.into_iter().chain(joints).chain(states);
         all.filter(|(name, _)| seen.insert(name.clone())).collect()
@@ -147,8 +149,8 @@ impl Outline {
             .collect()
     }
 
-    /// The fields of the state that belong to the motion, part by part, with their frames and
-    /// joints.
+    /// The fields of the state that belong to the motion, part by part: the frame, the prefix of
+    /// its joint, and the field.
     fn fields(&self) -> Vec<(Option<Frame>, String, &'static Field)> {
         let alone = (!self.is_system).then_some(self.motion.shape.fields);
         let alone = alone.into_iter().flatten();
@@ -171,7 +173,7 @@ impl Outline {
         motion.chain(own).collect()
     }
 
-    /// The index among these for which a symbol stands.
+    /// The index, among these numbers, of the one that a symbol stands for.
     pub fn number_of_state(&self, meaning: Meaning) -> Option<usize> {
         let mut first = 0;
         for (frame, _, field) in self.fields() {
@@ -205,12 +207,12 @@ impl Outline {
         numbers.collect()
     }
 
-    /// It is a system in which nothing moves by itself: its state has no coordinates.
+    /// Whether it is a system in which nothing moves by itself: its state has no coordinates.
     pub fn is_still(&self) -> bool {
         self.is_system && self.joints.is_empty() && self.states.is_empty()
     }
 
-    /// The rank of an output among the requested ones.
+    /// The position of an output in the list of requested outputs.
     pub fn rank(&self, word: &str) -> Option<usize> {
         self.outputs.iter().position(|asked| asked.word == word)
     }
@@ -225,7 +227,7 @@ impl Outline {
         Some(self.outputs[self.rank(word)?].place)
     }
 
-    /// Whether anything in it is known only once it is built, whatever its parameters.
+    /// Whether something in it is known only once it is built, whatever its parameters are.
     pub fn is_foreign(&self) -> bool {
         !self.foreign.is_empty()
     }
@@ -251,21 +253,21 @@ pub struct Declared {
     pub name: Ident,
     /// Its documentation in the description.
     pub text: Vec<String>,
-    /// The axes of the components of a vector; none for a scalar.
+    /// The axes of a vector; `None` for a scalar.
     pub frame: Option<FrameWord>,
     pub dimension: Dimension,
     /// The unit as written, if it is an SI unit.
     pub unit: Option<Unit>,
-    /// For an input: whether it is given with its rate and acceleration; also which derivative it
-    /// is itself.
+    /// For an input: whether its rate and acceleration are given too, and which derivative it is
+    /// itself.
     pub moves: bool,
     pub order: usize,
-    /// Default of a parameter, one number for each component.
+    /// The default of a parameter, one number for each component.
     pub default: Option<Vec<Number>>,
 }
 
 impl Declared {
-    /// Its unit, in the words of the description if it has one; empty for a pure number.
+    /// Its unit, as written in the description if possible; empty for a pure number.
     pub fn plain_unit(&self) -> String {
         let is_number = [Dimension::NONE, Dimension::ANY].contains(&self.dimension);
         match &self.unit {
@@ -280,7 +282,7 @@ impl Declared {
         in_unit(self.unit.as_ref(), self.dimension)
     }
 
-    /// The same of its rate.
+    /// The same for its rate.
     pub fn rate_in_unit(&self) -> String {
         let rate = self.unit.clone().and_then(Unit::per_second);
         let of_dimension = self.dimension.over(Dimension::TIME);

@@ -6,12 +6,12 @@ use crate::symbolic::Number;
 /// A symmetric matrix, by rows.
 pub type Matrix = [[Number; 3]; 3];
 
-/// The first nine numbers.
+/// A matrix from its entries, by rows.
 pub fn matrix(numbers: &[Number]) -> Matrix {
     core::array::from_fn(|i| core::array::from_fn(|j| numbers[3 * i + j].clone()))
 }
 
-/// Half the trace minus a tensor, which is `int r r dm`.
+/// An entry of half the trace minus a tensor, which is `int r r dm`.
 pub fn second_moment(j: &Matrix, i: usize, k: usize) -> Number {
     if i != k {
         return -j[i][k].clone();
@@ -25,8 +25,8 @@ pub fn is_flat(j: &Matrix) -> bool {
     determinant(&|i, k| second_moment(j, i, k)).is_zero()
 }
 
-/// For a possible tensor, the least principal moment over the largest, where it is small: the
-/// others are then equal, half of the trace each.
+/// For a possible tensor, the smallest principal moment divided by the largest, provided that this
+/// is small: then the other two are equal, each half of the trace.
 pub fn least_moment(j: &Matrix) -> Number {
     let half = Number::ratio(1, 2);
     let largest = half * (j[0][0].clone() + j[1][1].clone() + j[2][2].clone());
@@ -34,14 +34,14 @@ pub fn least_moment(j: &Matrix) -> Number {
     product / (largest.clone() * largest.clone() * largest)
 }
 
-/// The ratio of moments of inertia below which a body is a rod: fewer than 7 of the 16 digits of a
-/// moment about its axis remain.
+/// The ratio of moments of inertia below which a body counts as a rod: of the 16 digits of a moment
+/// about its axis, fewer than 7 remain.
 pub fn thinnest() -> Number {
     Number::power_of_ten(-9)
 }
 
-/// A ratio of moments of inertia that doubles do not distinguish from zero: twice what `new`
-/// refuses.
+/// A ratio of moments of inertia that doubles cannot distinguish from zero: twice the one that
+/// `new` rejects.
 pub fn vanishing() -> Number {
     Number::ratio(1, 1 << 47)
 }
@@ -51,13 +51,13 @@ pub fn determinant(m: &impl Fn(usize, usize) -> Number) -> Number {
     m(0, 0) * minor(1, 2) - m(0, 1) * minor(0, 2) + m(0, 2) * minor(0, 1)
 }
 
-/// Whether rounded entries, in the order xx, yy, zz, xy, yz, zx, or that of a planar body, are
-/// still those of a body that can rotate about every axis.
+/// Whether rounded entries are still those of a body that can rotate about every axis. They are in
+/// the order xx, yy, zz, xy, yz, zx, or the single moment of a planar body.
 pub fn is_possible(entries: &[f64]) -> bool {
     let [xx, yy, zz, xy, yz, zx] = *entries else {
         return entries.iter().all(|moment| *moment > 0.0);
     };
-    // a larger diagonal relaxes the triangle inequality in every frame
+    // increasing the diagonal relaxes the triangle inequality in every frame
     let slack = SLACK * f64::EPSILON * (xx + yy + zz);
     let rows = |slack: f64| {
         let rows = [
@@ -71,18 +71,18 @@ pub fn is_possible(entries: &[f64]) -> bool {
     turns && Violation::find(&rows(slack)).is_none()
 }
 
-/// Slack of the runtime's own check, in ulp of the trace.
+/// The slack of the runtime's own check, in ulp of the trace.
 pub const SLACK: f64 = 16.0;
 
-/// A condition that a matrix violates, and the entry to blame, if it is one.
+/// A condition that a matrix violates, and the entry that is wrong, if it is a single one.
 pub struct Violation {
     pub entry: Option<(usize, usize)>,
     pub message: String,
 }
 
 impl Violation {
-    /// The first violated condition, from the simplest to the most general; the last is that no
-    /// moment is lost in the rounding of the others.
+    /// The first violated condition, from the simplest to the most general. The last condition is
+    /// that no moment gets lost in the rounding errors of the others.
     pub fn find(j: &Matrix) -> Option<Self> {
         let lost = || {
             (least_moment(j) <= vanishing()).then(|| Self {
@@ -95,7 +95,7 @@ impl Violation {
         Self::impossible(j).or_else(lost)
     }
 
-    /// The first violated condition on possible bodies.
+    /// The first violated condition among those that every body meets.
     pub fn impossible(j: &Matrix) -> Option<Self> {
         for (i, axis) in AXES.iter().enumerate() {
             if !j[i][i].is_positive() {

@@ -10,7 +10,7 @@ use crate::symbolic::{Components, Id};
 #[derive(Clone, Default)]
 pub struct Potentials {
     pub list: Vec<Potential>,
-    /// The same energies, in one form or more.
+    /// The same energies, in one or more forms.
     pub forms: Vec<Form>,
 }
 
@@ -18,7 +18,7 @@ pub struct Potentials {
 #[derive(Clone)]
 pub struct Potential {
     pub name: Ident,
-    /// Its place among the given loads.
+    /// Its index among the given loads.
     pub place: usize,
     /// The charges on which a uniform field acts.
     pub charges: Option<Charges>,
@@ -30,52 +30,52 @@ pub struct Potential {
 pub struct Form {
     /// The energies of potentials, or the values of constraints.
     pub values: Vec<Id>,
-    /// The charges of the first values.
+    /// The charges that belong to the first values.
     pub charges: Vec<Charges>,
     pub turns: Vec<Turn>,
     pub bodies: Vec<Displaced>,
     /// The coordinates of joints, for a system.
     pub along: Vec<Along>,
-    /// The expressions behind symbols that were kept apart, other than rotated vectors.
+    /// Symbols that were kept apart, other than rotated vectors, each with its expression.
     pub stands_for: Vec<(Id, Id)>,
 }
 
-/// A body, displaced separately.
+/// A body that is displaced separately.
 #[derive(Clone)]
 pub struct Displaced {
     pub body: Frame,
-    /// The symbols of a displacement: the position of G, or an increment of it where it is no
-    /// coordinate. Under a joint it is that of the point that the joint holds.
+    /// The symbols of a displacement: the position of G or, where that is no coordinate, an
+    /// increment of it. For a body under a joint, they displace the point that the joint holds.
     pub displacement: Components,
-    /// The symbols of the velocity of the same point, world axes, and of the angular velocity, body
-    /// axes; zero where nothing depends on them.
+    /// The symbols of the velocity of the same point, in world axes, and of the angular velocity,
+    /// in body axes; zero where nothing depends on them.
     pub velocity: Components,
     pub angular_velocity: Components,
     /// In a planar system, the symbol of its angle.
     pub angle: Option<Id>,
-    /// Whether the symbols of its attitude rotate it alone.
+    /// Whether the symbols of its attitude rotate this body only.
     pub has_own_attitude: bool,
 }
 
 impl Displaced {
-    /// The symbols, and zeros, of its motion.
+    /// The symbols of its velocities, or zeros.
     pub fn rates(&self) -> impl Iterator<Item = Id> {
         self.velocity.into_iter().chain(self.angular_velocity)
     }
 }
 
-/// A coordinate of a joint, by its symbol and that of its rate.
+/// A coordinate of a joint, with the symbols of the coordinate and of its rate.
 #[derive(Clone)]
 pub struct Along {
-    /// The index of the joint, and of the coordinate in it.
+    /// The index of the joint, and that of the coordinate among those of the joint.
     pub joint: usize,
     pub freedom: usize,
-    /// None if it has only a rate, as for a ball joint.
+    /// `None` if there is only a rate, as for a ball joint.
     pub place: Option<Id>,
     pub rate: Id,
 }
 
-/// The charges seen by a uniform field: `sum e` and `p = sum e r` in body axes, about G.
+/// The charges in a uniform field: `sum e`, and `p = sum e r` about G in body axes.
 #[derive(Clone, Copy)]
 pub struct Charges {
     /// Their number.

@@ -17,13 +17,13 @@ pub struct Reaction {
     pub point: Point,
     /// The axes of its components.
     pub frame: Frame,
-    /// The known components, with zeros for the others.
+    /// The known components, and zeros for the others.
     pub known: Components,
-    /// The unknown components: their axes, and their places.
+    /// The unknown components: the index of each, and its place.
     pub unknown: Vec<(usize, Extent)>,
-    /// The direction of `_ * direction`: one unknown, whatever the axes.
+    /// The direction of `_ * direction`, which has one unknown.
     pub along: Option<Vector>,
-    /// The whole load, given from outside, world axes.
+    /// The whole load as symbols, given from outside, in world axes.
     pub symbols: Vector,
 }
 
@@ -39,7 +39,7 @@ impl Reaction {
         self.along.unwrap_or_else(|| work.vector(frame, unit))
     }
 
-    /// The name of a component: `normal` for a single unknown, `pin.x` for one of several.
+    /// The name of a component: `normal` if there is only one, `pin.x` if there are several.
     pub fn component_name(&self, motion: Motion, axis: usize) -> String {
         if self.along.is_some() || motion.axes_of(self.kind).len() == 1 {
             self.name.to_string()

@@ -1,20 +1,19 @@
-//! Solids about their centers of mass, by their lengths.
+//! Solids about their centers of mass, given by their dimensions.
 
 use proc_macro2::Ident;
 
 /// A solid about its center of mass, in its principal axes; z is the axis of symmetry.
 pub struct Solid {
     pub word: &'static str,
-    /// Its lengths.
+    /// The names of its dimensions.
     pub lengths: &'static [&'static str],
-    /// For the moments about x, y and z: the factors of the square of each length, per
-    /// mass.
+    /// For the moments about x, y and z, per mass: the factors of the squares of the dimensions.
     pub moments: [&'static [(i64, u64)]; 3],
-    /// The length that must be smaller than another, and why.
+    /// The dimension that must be smaller than another one, and why.
     pub smaller: Option<(usize, usize, &'static str)>,
 }
 
-/// Solids without a thickness argument are thin.
+/// All solids. Those without a thickness argument are thin.
 pub const SOLIDS: [Solid; 10] = [
     Solid {
         word: "cuboid",

@@ -6,19 +6,19 @@ use super::inertia::Inertia;
 
 /// Mass and inertia of a body, as far as they are known.
 pub struct Substance {
-    /// The name of a body of a system.
+    /// The name, for a body of a system.
     pub name: Option<String>,
     pub mass: Option<Id>,
     pub inertia: Inertia,
 }
 
 impl Substance {
-    /// The entries xx, yy, zz, xy, yz, zx of the inertia, or the one of a planar body.
+    /// The entries xx, yy, zz, xy, yz, zx of the inertia, or the single moment of a planar body.
     pub fn inertia_entries(&self) -> Vec<Id> {
         self.inertia.distinct_entries()
     }
 
-    /// These, and the mass.
+    /// The entries of the inertia, and the mass.
     pub fn numbers(&self) -> Vec<Id> {
         let entries = self.inertia_entries().into_iter();
         entries.chain(self.mass).collect()

@@ -6,12 +6,12 @@ use crate::families::LoadKind;
 
 use super::shape::Shape;
 
-/// A joint between a body and the ground, as `motion` says it.
+/// A joint between a body and the ground, as `motion` names it.
 #[derive(Debug)]
 pub struct Joint {
     /// Its word in a description.
     pub word: &'static str,
-    /// Vectors have two components and moments are scalars.
+    /// Whether vectors have two components and moments are scalars.
     pub is_planar: bool,
     pub center: Center,
     pub orientation: Orientation,
@@ -26,7 +26,7 @@ pub struct Joint {
 pub enum Center {
     /// It has its own coordinates.
     Free,
-    /// It follows from the body, one point of which is held in space.
+    /// It follows from the attitude, since one point of the body is held in space.
     Held,
     /// It is not modelled, and its place is unknown.
     Unmodelled,
@@ -54,17 +54,17 @@ impl PartialEq for Joint {
 impl Eq for Joint {}
 
 impl Joint {
-    /// G has its own coordinates.
+    /// Whether G has its own coordinates.
     pub fn translates(&self) -> bool {
         self.center == Center::Free
     }
 
-    /// A point of the body is held.
+    /// Whether a point of the body is held.
     pub fn is_supported(&self) -> bool {
         self.center == Center::Held
     }
 
-    /// The position of G is known.
+    /// Whether the position of G is known.
     pub fn knows_position(&self) -> bool {
         match self.center {
             Center::Free | Center::Held => true,
@@ -72,47 +72,49 @@ impl Joint {
         }
     }
 
-    /// The body rotates.
+    /// Whether the body rotates.
     pub fn has_attitude(&self) -> bool {
         self.orientation != Orientation::Fixed
     }
 
-    /// One angle gives the attitude.
+    /// Whether a single angle gives the attitude.
     pub fn has_angle(&self) -> bool {
         self.orientation == Orientation::Angle
     }
 
-    /// It rotates about a held axis.
+    /// Whether the body rotates about a held axis.
     pub fn is_hinged(&self) -> bool {
         self.is_supported() && self.has_angle()
     }
 
-    /// The axis of a hinge is written; in the plane it is z.
+    /// Whether the body rotates about an axis that is written; in the plane, the axis is always z.
     pub fn has_written_axis(&self) -> bool {
         self.is_hinged() && !self.is_planar
     }
 
-    /// The attitude is the axis alone.
+    /// Whether the attitude is only an axis.
     pub fn is_line(&self) -> bool {
         self.orientation == Orientation::Line
     }
 
-    /// The inertia is one moment: about the normal of the plane, or about every axis across a rod.
+    /// Whether the inertia is a single moment: about the normal of the plane, or about every axis
+    /// across a rod.
     pub fn has_one_moment(&self) -> bool {
         self.is_planar || self.is_line()
     }
 
-    /// Number of components of a vector.
+    /// The number of components of a vector.
     pub fn axes(&self) -> usize {
         if self.is_planar { 2 } else { 3 }
     }
 
-    /// The components that a load of this kind has: in the plane a moment is about the normal.
+    /// The indices of the components that a load of this kind has. In the plane, a moment is about
+    /// the normal.
     pub fn axes_of(&self, kind: LoadKind) -> Range<usize> {
         kind.axes(self.is_planar)
     }
 
-    /// The components along which G moves.
+    /// The indices of the components along which G moves.
     pub fn linear_axes(&self) -> Range<usize> {
         match self.center {
             Center::Free => 0..self.axes(),
@@ -120,8 +122,8 @@ impl Joint {
         }
     }
 
-    /// The components of an angular acceleration, or of that of the axis of a rod; for a hinge,
-    /// the component along its axis takes the place of z.
+    /// The indices of the components of the angular acceleration; for a rod, of the acceleration of
+    /// its axis. For a hinge, the component along its axis takes the place of z.
     pub fn angular_axes(&self) -> Range<usize> {
         match self.orientation {
             Orientation::Fixed => 0..0,

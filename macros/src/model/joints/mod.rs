@@ -32,7 +32,7 @@ pub use translation::TRANSLATION;
 /// A kind of motion: the joint of a body to the ground.
 pub type Motion = &'static Joint;
 
-/// All of them, in the order in which messages list them.
+/// All kinds of motion, in the order in which messages list them.
 pub const MOTIONS: [Motion; 9] = [
     &PLANAR,
     &PLANAR_TRANSLATION,

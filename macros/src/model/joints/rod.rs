@@ -1,4 +1,4 @@
-//! A thin straight body, whose attitude is its axis alone.
+//! A thin straight body, whose attitude is only its axis.
 
 use super::joint::{Center, Joint, Orientation};
 use super::shape::LINE;

@@ -8,17 +8,17 @@ use crate::symbolic::Id;
 pub struct Shape {
     /// The runtime's type.
     pub state: &'static str,
-    /// The runtime's type of its acceleration; none for a scalar or a vector.
+    /// The runtime's type of its acceleration; `None` for a scalar or a vector.
     pub acceleration: Option<&'static str>,
     pub fields: &'static [Field],
-    /// The accelerations, by their fields.
+    /// The fields of the acceleration.
     pub second: &'static [Field],
 }
 
 /// A scalar or a vector of a state: its place, and the names of its components.
 #[derive(Debug)]
 pub struct Field {
-    /// The path after the state; empty for the whole state.
+    /// The path from the state to it; empty if it is the whole state.
     pub path: &'static str,
     pub names: &'static [&'static str],
     pub variable: Variable,
@@ -208,7 +208,7 @@ pub struct Coordinate {
 pub struct Rates(pub Vec<Coordinate>);
 
 impl Rates {
-    /// The component of a variable.
+    /// The symbol of a component of a variable.
     pub fn get(&self, variable: Variable, part: usize) -> Option<Id> {
         let mut all = self.0.iter();
         let found = all.find(|one| one.variable == variable && one.part == part);
@@ -227,8 +227,8 @@ impl Shape {
 }
 
 impl Field {
-    /// The index of the component for which a symbol stands, if there is one; a quaternion has its
-    /// scalar last.
+    /// The index of the component that a symbol stands for, if it is one of this field. A
+    /// quaternion stores its scalar part last.
     pub fn component(&self, meaning: Meaning) -> Option<usize> {
         let Meaning::Of(_, variable, part) = meaning else {
             return None;

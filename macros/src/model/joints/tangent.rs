@@ -1,4 +1,4 @@
-//! The tangent space of states: changes of a motion.
+//! The tangent space of states: how a motion can change.
 
 use crate::model::words::Variable;
 
@@ -10,8 +10,8 @@ pub struct Group {
     /// For a system, the index of the joint in its state.
     pub joint: usize,
     pub name: String,
-    /// An attitude changes by small angles about the axes of the rotated body: its variable is the
-    /// quaternion, and it has three components.
+    /// Its variable. An attitude changes by small angles about the axes of the rotated body, so its
+    /// variable is the quaternion, but the group has three components.
     pub variable: Variable,
     /// The index of the first component.
     pub first: usize,
@@ -19,17 +19,17 @@ pub struct Group {
 }
 
 impl Shape {
-    /// The coordinates that precede the rates.
+    /// The groups of coordinates; the rates come after them.
     pub fn places(&self, joint: usize, prefix: &str) -> Vec<Group> {
         self.groups(joint, prefix, |variable| !variable.is_rate())
     }
 
-    /// The rates, in the order of the accelerations.
+    /// The groups of rates, in the order of the accelerations.
     pub fn rates(&self, joint: usize, prefix: &str) -> Vec<Group> {
         self.groups(joint, prefix, Variable::is_rate)
     }
 
-    /// The accelerations: `linear`, `angular`, `axis`.
+    /// The groups of accelerations: `linear`, `angular`, `axis`.
     pub fn accelerations(&self, joint: usize, prefix: &str) -> Vec<Group> {
         let second = self.second.iter();
         let groups = second.map(|field| Group {

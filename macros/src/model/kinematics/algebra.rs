@@ -1,8 +1,8 @@
-//! The algebra of physical vectors: each is one object, whatever axes it was written in.
+//! The algebra of physical vectors: each is one object, whatever axes it is written in.
 //!
-//! A [`Vector`] is the sum of parts, each with components in one frame. Sums stay in the axes they
-//! were written in. Parts are rotated only where components are read, or where parts in different
-//! frames are multiplied. So all forces fixed in a body are added before a single
+//! A [`Vector`] is a sum of parts, each with components in one frame. Sums stay in the axes in
+//! which they were written. Parts are rotated only where components are read, or where parts in
+//! different frames are multiplied. So all forces fixed in a body are added before a single
 //! rotation, and the difference of two points of a body does not depend on the place of the body
 //! (`docs/trust.md`, H9).
 
@@ -25,7 +25,7 @@ impl Workspace {
         self.vectors.add(parts)
     }
 
-    /// The nonzero parts, those in bodies first.
+    /// The nonzero parts; those in the frames of bodies come first.
     pub fn parts(&self, a: Vector) -> &[Part] {
         self.vectors.parts(a)
     }
@@ -99,7 +99,7 @@ impl Workspace {
         self.map(a, |graph, part| graph.scale_vector(factor, part))
     }
 
-    /// Components in one frame; parts in other frames are rotated.
+    /// The components of a vector in one frame; parts in other frames are rotated.
     pub fn components(&mut self, a: Vector, frame: Frame) -> Components {
         let turned = self.turned_parts(a, frame, |from| from != frame);
         let components = self.graph.add_vectors(turned, self.part(a, frame));
@@ -108,8 +108,8 @@ impl Workspace {
         components
     }
 
-    /// Components in the frame of the single part; for several parts, in body axes, where the
-    /// choice is free.
+    /// The components in the frame of the only part. If there are several parts, the frame is a
+    /// free choice: the first one, that of a body.
     fn in_one_frame(&mut self, a: Vector) -> Components {
         let frame = match *self.parts(a) {
             [] => Frame::WORLD,
@@ -119,7 +119,8 @@ impl Workspace {
         self.components(a, frame)
     }
 
-    /// `a x b`, in each frame: the parts written there with each other and with rotated ones.
+    /// `a x b`, frame by frame: the parts written in a frame are multiplied with each other, and
+    /// with parts that are rotated into it.
     pub fn cross(&mut self, a: Vector, b: Vector) -> Vector {
         let mut whole = Vector::ZERO;
         for frame in self.frames(&[a, b]) {
@@ -142,7 +143,8 @@ impl Workspace {
         whole
     }
 
-    /// The part of `a` written nearer to the ground, in this frame, if `other` requires it.
+    /// The parts of `a` in frames nearer to the ground, rotated into this frame if `other` is
+    /// nonzero.
     fn turned_for(&mut self, other: Components, a: Vector, frame: Frame) -> Components {
         let is_needed = !self.graph.is_zero_vector(&other);
         self.turned_parts(a, frame, |from| is_needed && from < frame)

@@ -7,12 +7,13 @@ use crate::symbolic::{Components, Id};
 pub enum Attitude {
     /// The axes stay parallel.
     Fixed,
-    /// A rotation by an angle about a unit vector, which is the same in both axes.
+    /// A rotation by an angle about a unit vector, whose components are the same in both axes.
     Axis { angle: Id, direction: Components },
     /// A unit quaternion.
     Quaternion { scalar: Id, vector: Components },
-    /// The attitude of a rod: one direction of the body, a unit vector in body axes, is along
-    /// `axis`, in world axes. No other axes rotate with it: all components are in world axes.
+    /// The attitude of a rod: the vector `direction` of the body, a unit vector in body axes,
+    /// points along `axis`, in world axes. No other axes rotate with the rod, so all components are
+    /// in world axes.
     Line {
         direction: Components,
         axis: Components,

@@ -1,4 +1,4 @@
-//! Vectors of a rod, which are known along its axis only.
+//! Vectors of a rod, which are known only along its axis.
 
 use crate::model::words::Frame;
 use crate::symbolic::Components;
@@ -18,7 +18,7 @@ impl Workspace {
         self.vector(Frame::WORLD, world)
     }
 
-    /// Records a product with the axis of a rod.
+    /// Records a cross product with the axis of a rod.
     pub fn note_swept(&mut self, a: Components, b: Components, product: Components) {
         let is_axis = |v: Components| {
             let mut attitudes = self.attitudes.iter();

@@ -12,7 +12,7 @@ pub struct Own {
 }
 
 impl Own {
-    /// The state as a coordinate of the motion.
+    /// The state as a coordinate that moves with its rate.
     pub fn coordinate(&self) -> Coordinate {
         Coordinate {
             symbol: self.symbol,
@@ -20,7 +20,7 @@ impl Own {
         }
     }
 
-    /// Its rate, with its name.
+    /// The name of its rate, and the rate.
     pub fn named_rate(&self) -> (String, Vec<Id>) {
         (format!("{}_rate", self.name), vec![self.rate])
     }

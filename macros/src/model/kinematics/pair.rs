@@ -2,9 +2,9 @@
 
 use crate::symbolic::{Components, Graph, Id};
 
-/// A linear vector in the world, and an angular one in the axes of the state
-/// (`State::axes`): accelerations, a load on the body, or factors of one of these. For a hinge
-/// the angular one takes the place of z.
+/// A linear vector in world axes and an angular one in the axes of the state (`State::axes`):
+/// accelerations, a load on the body, or factors of one of these. For a hinge, the angular
+/// component along its axis takes the place of z.
 #[derive(Clone, Copy)]
 pub struct Pair {
     pub linear: Components,
@@ -16,7 +16,7 @@ impl Pair {
         [self.linear, self.angular].concat()
     }
 
-    /// The power of one on the other.
+    /// The product of both: the power of a load along a motion.
     pub fn dot(self, graph: &mut Graph, other: Self) -> Id {
         let linear = graph.dot(self.linear, other.linear);
         let angular = graph.dot(self.angular, other.angular);

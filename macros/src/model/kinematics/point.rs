@@ -1,4 +1,4 @@
-//! Points, fixed in a body, in space, or moving.
+//! Points: fixed in a body, fixed in space, or moving.
 
 use crate::model::words::Frame;
 use crate::symbolic::Components;
@@ -10,7 +10,8 @@ use super::vector::Vector;
 pub enum Point {
     /// Fixed in a frame: its offset from the origin, which is G for a body.
     Fixed(Frame, Components),
-    /// Its offset from G changes: the matter of the body at a place, such as a contact.
+    /// Given by an offset from G that changes: the material point of the body at a place, such as a
+    /// contact.
     Moving(Vector),
 }
 

@@ -11,19 +11,20 @@ use super::point::Point;
 use super::vector::Vector;
 use super::workspace::Workspace;
 
-/// The state of a body, in symbols. Quantities that a motion lacks are zero.
+/// The state of a body, in symbols. Quantities that a kind of motion does not have are zero.
 #[derive(Clone, Copy)]
 pub struct State {
     /// The frame of the body, which identifies it.
     pub body: Frame,
-    /// The axes of its rotation: its own axes, or those of the world if no axes rotate with it.
+    /// The axes of its rotation: those of the body, or those of the world if no axes rotate with
+    /// it.
     pub axes: Frame,
     pub time: Id,
     /// Position, velocity and acceleration of G.
     pub position: Vector,
     pub velocity: Vector,
     pub acceleration: Vector,
-    /// In these axes; for a rod, `u x u'` and `u x u''`.
+    /// Angular velocity and acceleration in `axes`; for a rod, `u x u'` and `u x u''`.
     pub angular_velocity: Components,
     pub angular_acceleration: Components,
     /// The angle of a body that rotates about one axis, and its rate.
@@ -36,7 +37,7 @@ pub struct State {
 
 impl State {
     /// The position of a point. The difference of two points of the body does not depend on the
-    /// place of the body, however far it is (`docs/trust.md`, H9).
+    /// place of the body, however far away it is (`docs/trust.md`, H9).
     pub fn place(&self, work: &mut Workspace, point: Point) -> Vector {
         match point {
             Point::Fixed(Frame::WORLD, position) => work.vector(Frame::WORLD, position),
@@ -74,12 +75,12 @@ impl State {
         })
     }
 
-    /// G.
+    /// The center of mass G, as a point.
     pub fn mass_center(&self, work: &Workspace) -> Point {
         Point::Fixed(self.body, work.graph.zeros())
     }
 
-    /// The frame of a word in a description.
+    /// The frame that a word in a description means.
     pub fn frame(&self, word: FrameWord) -> Frame {
         match word {
             FrameWord::World => Frame::WORLD,
@@ -119,7 +120,7 @@ impl State {
     }
 }
 
-/// The axis of a rod, world axes.
+/// The axis of a rod, in world axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Axis {
     /// The unit vector u.
@@ -128,21 +129,21 @@ pub struct Axis {
     pub rate: Components,
 }
 
-/// A point of the body, held in space.
+/// A point of the body that is held in space.
 #[derive(Clone, Copy, Debug)]
 pub struct Support {
-    /// Its offset from G, body axes.
+    /// Its offset from G, in body axes.
     pub offset: Components,
-    /// The point in space, world axes.
+    /// The point in space, in world axes.
     pub anchor: Components,
-    /// The axis of rotation, a unit vector, the same in both axes; none about a
-    /// point.
+    /// The axis of rotation: a unit vector with the same components in body and world axes. `None`
+    /// if the body rotates about a point.
     pub direction: Option<Components>,
 }
 
-/// The frame of a body, the symbols of its state and the attitude given by them. A support is added
-/// with [`State::hold`]: until then the axis of a hinge is z. The axis of a rod comes with its
-/// direction.
+/// The frame of a body, the symbols of its state, and its attitude as a function of them.
+/// [`State::hold`] adds a support; until then, the axis of a hinge is z. The axis of a rod is added
+/// with its direction.
 pub fn state_symbols(motion: Motion, work: &mut Workspace) -> State {
     let body = work.new_frame(Frame::WORLD);
     let linear = motion.linear_axes();
@@ -187,7 +188,7 @@ pub fn state_symbols(motion: Motion, work: &mut Workspace) -> State {
     }
 }
 
-/// Gives a frame the attitude of its symbols; returns the angle, if there is one.
+/// Gives a frame the attitude that its symbols describe. Returns the angle, if there is one.
 fn attitude_symbols(orientation: Orientation, body: Frame, work: &mut Workspace) -> Option<Id> {
     let mut symbol = |variable: Variable, part: usize| {
         work.symbol(Stage::State, Meaning::Of(body, variable, part))

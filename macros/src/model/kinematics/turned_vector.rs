@@ -1,8 +1,8 @@
-//! Turned vectors, kept apart.
+//! Rotated vectors, kept apart.
 //!
-//! As its body rotates, a rotated vector changes by `phi x r`, so a potential can be differentiated
-//! without differentiating the rotation. Where potentials are read, the components of a vector in
-//! its other axes are therefore new symbols. They stand for the rotated vector until it is
+//! As its body rotates, a rotated vector changes by `phi x r`. So a potential can be differentiated
+//! without differentiating the rotation. For this, where potentials are read, the components of a
+//! vector in other axes are new symbols, which stand for the rotated vector until the potential is
 //! differentiated.
 
 use std::collections::HashMap;
@@ -10,7 +10,7 @@ use std::collections::HashMap;
 use crate::model::words::Frame;
 use crate::symbolic::{Components, Graph, Id, Stage};
 
-/// A vector, and its components in the other axes, or the symbols of them.
+/// A vector, and its components in other axes, or the symbols that stand for them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Turn {
     /// The axes in which it was written, and those into which it was rotated.
@@ -20,18 +20,18 @@ pub struct Turn {
     pub turned: Components,
 }
 
-/// The vectors that were rotated so far, each after those that it contains.
+/// The vectors that were rotated so far; each comes after those that it contains.
 pub struct Turns {
     pub list: Vec<Turn>,
     known: HashMap<(Components, Frame, Frame), usize>,
     by_symbol: HashMap<Id, usize>,
-    /// Number of components.
+    /// The number of components.
     axes: usize,
-    /// The axes in which a length is taken, for a vector with parts in both.
+    /// The axes in which the length of a vector is taken if it has parts in both axes.
     mixed: Frame,
-    /// Whether such a vector was met.
+    /// Whether the length of such a vector was taken.
     pub met_mixed: bool,
-    /// Axes that rotate by themselves, also those that a joint holds at a fixed angle.
+    /// Frames that rotate separately, including those that a joint holds at a fixed angle.
     apart: Vec<Frame>,
 }
 
@@ -48,7 +48,7 @@ impl Turns {
         }
     }
 
-    /// With axes that are turned by themselves.
+    /// The same for bodies whose frames rotate separately.
     pub fn of_bodies(axes: usize, bodies: impl Iterator<Item = Frame>) -> Self {
         let mut turns = Self::new(axes, Frame::WORLD);
         turns.apart.extend(bodies);
@@ -59,7 +59,7 @@ impl Turns {
         self.apart.contains(&body)
     }
 
-    /// The rotated vector of which a symbol is a component.
+    /// The rotated vector that has this symbol as a component.
     pub fn of(&self, symbol: Id) -> Option<&Turn> {
         self.list.get(*self.by_symbol.get(&symbol)?)
     }
@@ -69,7 +69,7 @@ impl Turns {
         self.mixed
     }
 
-    /// The symbols of `vector` in the axes of `to`; the same vector has the same ones.
+    /// The symbols of `vector` in the axes of `to`; the same vector always has the same symbols.
     pub fn turn(
         &mut self,
         graph: &mut Graph,

@@ -8,9 +8,9 @@ use super::turned_vector::Turn;
 use super::workspace::Workspace;
 
 impl Workspace {
-    /// `s e` in body axes, for an s known early and e along a world axis, to be multiplied by a
-    /// vector along a body axis. Only two components of a row of the rotation are needed, and their
-    /// common factor goes with the other vector.
+    /// A vector `s e` in body axes, to be multiplied by a vector along a body axis; s is known
+    /// early, and e is along a world axis. Only two components of a row of the rotation are needed,
+    /// and the factor that they share goes with the other vector.
     pub fn row(&mut self, arm: Components, v: Components, body: Frame) -> Option<Components> {
         let Attitude::Quaternion { scalar, vector } = self.attitude(body) else {
             return None;
@@ -43,16 +43,16 @@ impl Workspace {
         Some(row)
     }
 
-    /// The axis of the one component that is not zero.
+    /// The index and the value of the only nonzero component.
     fn only_component(&self, v: Components) -> Option<(usize, Id)> {
         let mut there = (0..3).filter(|i| !self.graph.is_zero(v[*i]));
         let axis = there.next()?;
         there.next().is_none().then_some((axis, v[axis]))
     }
 
-    /// The components of one vector in the axes of `to`, from its components in those of `from`.
+    /// The components of a vector in the axes of `to`, from those in the axes of `from`.
     ///
-    /// A factor that all components share is taken out: `s v` is `s` times the rotated `v`.
+    /// A factor that all components share is taken out: `s v` becomes `s` times the rotated `v`.
     pub fn turn(&mut self, v: Components, from: Frame, to: Frame) -> Components {
         if from == to || self.graph.is_zero_vector(&v) {
             return v;
@@ -62,7 +62,7 @@ impl Workspace {
             let turned = self.turn(v, from, next);
             return self.turn(turned, next, to);
         }
-        // from the axes of a body to those that carry it, or back
+        // a step from the axes of a body to those of its carrier, or back
         let is_back = self.carrier(to) == from;
         let body = if is_back { to } else { from };
         if self.leads_with_minus(v) {
@@ -106,7 +106,7 @@ impl Workspace {
         turned
     }
 
-    /// `d d.v + c (v - d d.v) + s d x v`: in the plane, `(c x - s y, s x + c y)`.
+    /// `d d.v + c (v - d d.v) + s d x v`; in the plane, `(c x - s y, s x + c y)`.
     fn turn_by_angle(
         &mut self,
         angle: Id,
@@ -133,7 +133,7 @@ impl Workspace {
         graph.add_vectors(turned, along)
     }
 
-    /// `v + w t + q x t` with `t = q x 2 v`: 15 multiplications, 15 additions; less where
+    /// `v + w t + q x t` with `t = q x 2 v`: 15 multiplications and 15 additions, or fewer if some
     /// components are zero or known before the state is.
     fn turn_about(&mut self, w: Id, q: Components, v: Components) -> Components {
         let v = self.late_quantities(v);
@@ -143,7 +143,7 @@ impl Workspace {
         let swing = graph.cross(q, doubled);
         let swing = graph.quantities(swing);
         for (component, axis) in v.into_iter().zip(AXES) {
-            // the rotated vector has a name of its own, or none
+            // do not name a vector that has a name of its own
             if let Node::Quantity(inner) = *graph.node(component)
                 && self.labels.get(inner).is_none()
             {
@@ -160,7 +160,7 @@ impl Workspace {
         graph.add_vectors(v, change)
     }
 
-    /// Statements of the late components, because a rotation uses each component more than once.
+    /// Makes the late components statements, because a rotation uses each of them more than once.
     fn late_quantities(&mut self, v: Components) -> Components {
         v.map(|component| {
             if self.graph.is_early(component) {
@@ -171,7 +171,7 @@ impl Workspace {
         })
     }
 
-    /// A vector and its opposite are rotated together.
+    /// Whether to rotate the opposite vector instead: a vector and its opposite share one rotation.
     fn leads_with_minus(&mut self, v: Components) -> bool {
         let first = v
             .into_iter()
@@ -179,10 +179,10 @@ impl Workspace {
         first.is_some_and(|component| self.graph.split_sign(component).0)
     }
 
-    /// A factor that every component has, if there is one, and the components without it.
+    /// A factor that all components share, if there is one, and the components without it.
     ///
-    /// Rotating `s v` as `s` times the rotated `v` costs nothing if `v` has all its components, and
-    /// saves a whole rotation if `v` itself is rotated too.
+    /// Rotating `s v` as `s` times the rotated `v` costs nothing if `v` has all of its components,
+    /// and saves a whole rotation if `v` itself is rotated, too.
     pub fn common_factor(&mut self, v: Components, frame: Frame) -> Option<(Id, Components)> {
         let is_turned_by_angle = matches!(self.attitude(frame), Attitude::Axis { .. });
         let in_plane = self.graph.is_zero(v[2]) && is_turned_by_angle;
@@ -217,7 +217,7 @@ impl Workspace {
     }
 }
 
-/// A component, taken apart: `+- early * late`, and the factors of `late`.
+/// The factors of a component: `+- early * late`, and those of `late`.
 struct Part {
     negative: bool,
     early: Id,
@@ -241,7 +241,7 @@ impl Part {
         }
     }
 
-    /// The component over `early` and `late`.
+    /// The component divided by `early` and `late`.
     fn rebuilt(&self, graph: &mut Graph, early: Id, late: Option<Id>) -> Id {
         let mut left = self.factors.clone();
         if let Some(index) = left.iter().position(|factor| Some(*factor) == late) {

@@ -1,4 +1,4 @@
-//! Physical vectors, by their parts.
+//! Physical vectors, given by their parts.
 
 use crate::model::words::Frame;
 use crate::symbolic::Components;
@@ -18,12 +18,12 @@ impl Vector {
 /// A part of a vector, with components in one frame.
 pub type Part = (Frame, Components);
 
-/// The parts of all vectors but the zero vector.
+/// The parts of all vectors except the zero vector.
 #[derive(Default)]
 pub struct Vectors(Vec<Vec<Part>>);
 
 impl Vectors {
-    /// The sum of parts in different frames, none of them zero.
+    /// The vector that is the sum of these parts, which are in different frames and nonzero.
     pub fn add(&mut self, parts: Vec<Part>) -> Vector {
         if parts.is_empty() {
             return Vector::ZERO;

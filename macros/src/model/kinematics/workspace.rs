@@ -11,39 +11,40 @@ use super::attitude::Attitude;
 use super::turned_vector::{Turn, Turns};
 use super::vector::Vectors;
 
-/// The workspace of a description: its graph, its vectors in their frames, and
-/// the words for its content. Lowering creates it, and mechanics continues with it.
+/// The workspace of a description: its graph, its vectors in their frames, and the words for its
+/// content. Lowering creates it, and mechanics continues with it.
 #[derive(Default)]
 pub struct Workspace {
     pub graph: Graph,
     pub labels: Labels,
     pub meanings: Meanings,
-    /// Rust items of the user, by their numbers in the graph.
+    /// Rust items of the user, by their index in the graph.
     pub constants: Vec<ForeignConstant>,
     pub functions: Vec<ForeignFunction>,
-    /// The files of tables, by their local paths.
+    /// The paths on this machine of the files with tables.
     pub files: Vec<String>,
     /// The attitude of each frame.
     pub(super) attitudes: Vec<Attitude>,
     /// The carrier of each frame.
     carriers: Vec<Frame>,
-    /// The original of each frame, or itself.
+    /// The frame that each frame is a copy of, or itself.
     originals: Vec<Frame>,
     pub(super) vectors: Vectors,
-    /// Rotated vectors, kept apart while potentials are read.
+    /// Rotated vectors that are kept apart, while potentials are read.
     pub turns: Option<Turns>,
-    /// All other rotated vectors: their rates are known as vectors.
+    /// All other rotated vectors, whose rates are known as vectors.
     pub turned: Vec<Turn>,
-    /// For a rod, products `u x b`, and b; world axes.
+    /// For rods: products `u x b`, each with its b, in world axes.
     pub swept: Vec<(Components, Components)>,
-    /// A vector was rotated between frames that do not rotate, or may not.
+    /// Whether a vector was rotated between frames that do not rotate, or whose rotation is not
+    /// known yet.
     pub met_still: bool,
     /// Expressions of the description that may have no value for some parameters.
     pub doubtful: Vec<Doubtful>,
 }
 
 impl Workspace {
-    /// With a frame for the ground.
+    /// A workspace that contains only the frame of the ground.
     pub fn new() -> Self {
         Self {
             attitudes: vec![Attitude::Fixed; 1],
@@ -53,7 +54,8 @@ impl Workspace {
         }
     }
 
-    /// A new frame, which rotates relative to `carrier`; parallel until an attitude is known.
+    /// A new frame, which can rotate relative to `carrier`. It is parallel until it gets an
+    /// attitude.
     pub fn new_frame(&mut self, carrier: Frame) -> Frame {
         self.attitudes.push(Attitude::Fixed);
         self.carriers.push(carrier);
@@ -70,7 +72,7 @@ impl Workspace {
         self.carriers[frame.index()] = carrier;
     }
 
-    /// The carried one of the two frames between which a vector was rotated.
+    /// Of the two frames between which a vector was rotated, the one that the other carries.
     pub fn turned_frame(&self, turn: &Turn) -> Frame {
         if self.carrier(turn.from) == turn.to {
             turn.from
@@ -79,7 +81,7 @@ impl Workspace {
         }
     }
 
-    /// All rotating frames, each with its carrier; no copies.
+    /// All rotating frames, without copies.
     pub fn turned_frames(&self) -> Vec<Frame> {
         let mut frames = self.originals.clone();
         frames.sort_unstable();
@@ -87,12 +89,12 @@ impl Workspace {
         frames
     }
 
-    /// The original of this frame, or itself: motions belong to originals.
+    /// The original of this frame, or itself. Motions belong to originals.
     pub(super) fn original(&self, frame: Frame) -> Frame {
         self.originals[frame.index()]
     }
 
-    /// Copies of all frames with the same attitudes, each relative to the copy of its carrier.
+    /// Copies of all frames, with the same attitudes, each relative to the copy of its carrier.
     pub fn copied_frames(&mut self) -> Vec<Frame> {
         let count = self.carriers.len();
         let mut copies = vec![Frame::WORLD];
@@ -108,7 +110,8 @@ impl Workspace {
         copies
     }
 
-    /// The frame after `from` on the way to another one: first towards the ground.
+    /// The frame after `from` on the way to another one: towards the ground first, unless `from`
+    /// carries the other.
     pub(super) fn next_frame(&self, from: Frame, to: Frame) -> Frame {
         let mut below = to;
         while below != Frame::WORLD {
@@ -126,7 +129,7 @@ impl Workspace {
         self.meanings.symbol(&mut self.graph, stage, meaning)
     }
 
-    /// New symbols for the axes of `axes`, zero along the others.
+    /// New symbols for the components in `axes`, and zero for the others.
     pub fn symbols(
         &mut self,
         stage: Stage,
@@ -142,7 +145,7 @@ impl Workspace {
         })
     }
 
-    /// The same, for a quantity that varies separately and has no name.
+    /// The same for a quantity that varies separately and has no name.
     pub fn free_symbols(&mut self, axes: Range<usize>) -> Components {
         [0, 1, 2].map(|axis| {
             if axes.contains(&axis) {
@@ -159,7 +162,7 @@ impl Workspace {
         known.map(|symbol| self.graph.symbol_id(symbol))
     }
 
-    /// The meaning of a symbol; none if the expression is no symbol.
+    /// The meaning of a symbol; `None` for other expressions.
     pub fn meaning(&self, id: Id) -> Option<Meaning> {
         match self.graph.node(id) {
             Node::Symbol(symbol) => Some(self.meanings.of(*symbol)),
@@ -167,8 +170,8 @@ impl Workspace {
         }
     }
 
-    /// Whether expressions depend on the motion or on inputs, rather than on time and user-defined
-    /// states alone.
+    /// Whether expressions depend on the motion or on inputs, rather than only on time and
+    /// user-defined states.
     pub fn follows_motion(&self, roots: &[Id]) -> bool {
         self.graph.depends_on(roots, |id| {
             let is_course = matches!(self.meaning(id), Some(Meaning::Time | Meaning::Own(_)));

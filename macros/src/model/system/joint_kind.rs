@@ -10,11 +10,11 @@ use crate::model::words::Variable;
 /// The parts of a joint, from the carrier to the carried body.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Part {
-    /// Rotation about a direction, by its index.
+    /// Rotation about the direction with this index.
     Turn(usize),
-    /// Translation along one.
+    /// Translation along the direction with this index.
     Slide(usize),
-    /// Rotation about and translation along the first.
+    /// Rotation about the first direction, and translation along it.
     Screw,
     /// Rotation in all directions about a point.
     Ball,
@@ -25,23 +25,23 @@ pub enum Part {
 /// The directions of a joint.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Axes {
-    /// The written ones, this many.
+    /// This many directions are written.
     Written(usize),
-    /// A written one, and two perpendicular to it.
+    /// One is written, and two are perpendicular to it.
     Normal,
-    /// A written one, and the normal of the plane.
+    /// One is written, and one is the normal of the plane.
     InThePlane,
-    /// None is written: the coordinate axes.
+    /// None is written: they are the coordinate axes.
     Own,
 }
 
-/// The arguments of a joint.
+/// What the arguments of a joint name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Holds {
     /// A point of the carrier and one of the carried body.
     Points,
-    /// The G of a body alone, on the ground: its coordinates are relative to the origin of the
-    /// world.
+    /// Only a body, which moves relative to the ground: the coordinates of its G are from the
+    /// origin of the world.
     Center,
 }
 
@@ -53,9 +53,9 @@ pub struct JointKind {
     pub holds: Holds,
     pub axes: Axes,
     pub parts: &'static [Part],
-    /// The shape of its state; none if it does not move.
+    /// The shape of its state; `None` if it does not move.
     pub shape: Option<&'static Shape>,
-    /// Its arguments.
+    /// How its arguments are written.
     pub form: &'static str,
 }
 
@@ -194,7 +194,7 @@ const PLANE_JOINTS: [JointKind; 7] = [
         form: "free(b)",
     },
     translation_in_the_plane("translation", "translation(b)"),
-    // like `motion` for a single body
+    // the same words as for the `motion` of a single body
     translation_in_the_plane("planar_translation", "planar_translation(b)"),
 ];
 
@@ -208,23 +208,23 @@ impl JointKind {
         self.parts == [Part::Free]
     }
 
-    /// In space, its state has the attitude of the carried body relative to the ground.
+    /// Whether its state in space contains the attitude of the carried body relative to the ground.
     pub fn has_attitude(&self) -> bool {
         self.holds == Holds::Center && matches!(self.parts, [Part::Free | Part::Ball])
     }
 
-    /// Whether the carried body turns against its carrier.
+    /// Whether the carried body rotates relative to its carrier.
     pub fn turns(&self) -> bool {
         let mut parts = self.parts.iter();
         parts.any(|part| !matches!(part, Part::Slide(_)))
     }
 
-    /// A rotation about one axis, and nothing else.
+    /// Whether it is a rotation about one axis and nothing else.
     pub fn is_hinge(&self) -> bool {
         matches!(self.parts, [Part::Turn(_)])
     }
 
-    /// The motion of a single body on the ground, if this leaves one of these.
+    /// The kind of motion that it gives a single body on the ground, if there is one.
     pub fn motion(&self, is_planar: bool) -> Option<Motion> {
         let motion: Motion = match (self.holds, self.parts, is_planar) {
             (_, [Part::Free], true) => &PLANAR,
@@ -253,7 +253,7 @@ impl JointKind {
         }
     }
 
-    /// Its parts, each with the index of its coordinate among those of the same sort.
+    /// Its parts, each with the index of its coordinate among those of the same kind.
     pub fn numbered(&self) -> impl Iterator<Item = (Part, usize)> {
         let (mut turns, mut slides) = (0, 0);
         self.parts.iter().map(move |part| {
@@ -266,7 +266,7 @@ impl JointKind {
         })
     }
 
-    /// The rates of its coordinates, in the order of mechanics.
+    /// The rates of its coordinates, in the order in which mechanics uses them.
     pub fn freedoms(&self, is_planar: bool) -> Vec<(Variable, usize)> {
         let mut freedoms = Vec::new();
         let (along, about) = (Variable::Velocity, Variable::AngularVelocity);

@@ -19,18 +19,21 @@ use super::words::{Checks, Frame, Variable};
 pub struct System {
     pub is_planar: bool,
     pub bodies: Vec<Member>,
-    /// Each carrier precedes what it carries; the joint of a body has the index of the body.
+    /// The joints of the tree. Each carrier precedes what it carries, and the joint of a body has
+    /// the index of the body.
     pub joints: Vec<TreeJoint>,
     /// The joints that close loops.
     pub closings: Vec<Connection>,
-    /// The moving joints, by index, in the order of the state.
+    /// The indices of the moving joints, in the order of the state.
     pub written: Vec<usize>,
-    /// Points whose Jacobians are requested: the body, and the offset from its G, in its axes.
+    /// The points whose Jacobians are requested: the body of each, and the offset from its G in its
+    /// axes.
     pub points: Vec<(usize, Components)>,
-    /// The acceleration of free fall in the field that acts on all mass equally, world axes.
+    /// The acceleration of free fall in the fields that accelerate all bodies equally, in world
+    /// axes.
     pub gravity: Components,
     pub cables: Vec<Tie>,
-    /// Massless links, which written constraints keep.
+    /// Massless links, which are also written constraints.
     pub links: Vec<Tie>,
     /// The properties of links and cables.
     pub properties: Vec<Property>,
@@ -38,12 +41,12 @@ pub struct System {
     pub states: Vec<Own>,
     pub constraints: Constraints,
     pub potentials: Potentials,
-    /// Energies other than those of uniform fields: of cables, and of potentials once these are
-    /// loads.
+    /// Energies other than those of uniform fields: those of cables, and those of potentials once
+    /// these have become loads.
     pub energies: Vec<Id>,
     /// The number of given derivatives of each input.
     pub derivatives: Vec<usize>,
-    /// Its equations must be differentiated, or be proved to be those of a closed form.
+    /// Whether its equations have to be differentiated, or compared with those of a closed form.
     pub is_differentiated: bool,
     pub defaults: Defaults,
     pub checks: Checks,
@@ -55,7 +58,7 @@ pub struct Member {
     pub state: State,
     pub mass: Id,
     pub inertia: Inertia,
-    /// All except gravity.
+    /// All loads except gravity.
     pub loads: Vec<Load>,
     /// The fields that constitute gravity.
     pub weights: Vec<Load>,
@@ -71,25 +74,28 @@ impl Member {
     }
 }
 
-/// A joint as it connects two bodies, or a body and the ground: its two sides, and its directions.
+/// How a joint connects two bodies, or a body and the ground: its two sides, and its directions.
 pub struct Connection {
     pub name: Ident,
     pub kind: &'static JointKind,
-    /// The carrier; none for the ground.
+    /// The carrier; `None` for the ground.
     pub carrier: Option<usize>,
-    /// The carried body; of a joint that closes a loop, the body on that side.
+    /// The carried body; if the joint closes a loop, the body on that side.
     pub carried: usize,
-    /// Its point on the carrier: from its G, in its axes; on the ground in world axes.
+    /// Its point on the carrier, measured from the G of the carrier in its axes; on the ground, in
+    /// world axes.
     pub place: Components,
-    /// Its point on the carried body, from its G, in its axes.
+    /// Its point on the carried body, measured from the body's G in its axes.
     pub pin: Components,
-    /// Unit vectors, in the axes of the carried body at zero coordinates, to which the parts of the
-    /// kind refer; where it closes a loop, two across the single axis of a joint in space follow.
+    /// The unit vectors that the parts of the kind refer to, in the axes of the carried body at
+    /// zero coordinates. If the joint closes a loop and has a single axis in space, two vectors
+    /// perpendicular to it follow.
     pub directions: Vec<Components>,
-    /// For a screw, metres per radian.
+    /// For a screw: metres per radian.
     pub pitch: Option<Id>,
-    /// The rotation of the carried body at zero coordinates: about axes in sequence,
-    /// each in the axes rotated by those before, the first one in the carrier's axes.
+    /// The attitude of the carried body at zero coordinates, as rotations in sequence. Each is
+    /// about an axis of the frame that the preceding ones have rotated; the first is about an axis
+    /// of the carrier.
     pub turned: Vec<(Components, Id)>,
 }
 
@@ -97,45 +103,45 @@ pub struct Connection {
 #[derive(Default)]
 pub struct Constraints {
     pub list: Vec<Constraint>,
-    /// The symbols of their loads: given loads may depend on these.
+    /// The symbols of their loads. Given loads may depend on these.
     pub loads: Vec<Id>,
-    /// The same scalars as functions of each body separately, if there are any.
+    /// The same scalars as functions of separately displaced bodies, if there are any.
     pub form: Option<Form>,
 }
 
 /// A massless connection between two points.
 pub struct Tie {
     pub name: Ident,
-    /// The bodies at its ends; none for the ground.
+    /// The bodies at its ends; `None` for the ground.
     pub bodies: [Option<Ident>; 2],
 }
 
 /// A property of a link or a cable: finite and not negative.
 #[derive(Clone)]
 pub struct Property {
-    /// Its owner.
+    /// The link or cable that it belongs to.
     pub of: Ident,
     pub word: &'static str,
     pub value: Id,
     pub may_vanish: bool,
 }
 
-/// A joint between a body and one before it, or the ground: it carries the body.
+/// A joint that carries a body, on an earlier body or on the ground.
 pub struct TreeJoint {
     pub connection: Connection,
-    /// The frames of its parts, the last one that of the carried body.
+    /// The frames after each of its parts; the last one is that of the carried body.
     pub frames: Vec<Frame>,
     /// Its coordinates, their rates and accelerations, in the order of its parts.
     pub coordinates: Rates,
-    /// The given load along each coordinate, the sum of all drives.
+    /// The given load along each coordinate: the sum of all given drives.
     pub drives: Vec<Id>,
     /// The given drives, by name.
     pub driven_by: Vec<(Ident, Vec<Id>)>,
     /// An inertia along its single coordinate, in addition to that of the carried body.
     pub armature: Option<Id>,
-    /// The acceleration along each coordinate, if its motion is prescribed.
+    /// For each coordinate, its acceleration, if its motion is prescribed.
     pub given: Vec<Option<Id>>,
-    /// The unknown load along a coordinate, by its name, if there is one.
+    /// For each coordinate, the name of the unknown load along it, if there is one.
     pub open: Vec<Option<Ident>>,
 }
 
@@ -148,7 +154,7 @@ impl Deref for TreeJoint {
 }
 
 impl TreeJoint {
-    /// The rate of the coordinate, if it has a single one.
+    /// The rate of its coordinate, if it has only one.
     pub fn rate(&self) -> Option<Id> {
         let rates = [Variable::Velocity, Variable::AngularVelocity];
         rates
@@ -156,14 +162,14 @@ impl TreeJoint {
             .find_map(|variable| self.coordinates.get(*variable, 0))
     }
 
-    /// Its coordinates are positions and attitudes in the world.
+    /// Whether its coordinates are positions and attitudes in the world.
     pub fn is_in_world(&self) -> bool {
         let is_alone = self.kind.holds == Holds::Center;
         let is_ball = self.kind.parts == [Part::Ball] && self.turned.is_empty();
         self.carrier.is_none() && (is_alone || is_ball)
     }
 
-    /// Its accelerations, by its coordinates.
+    /// Its accelerations, in the order of its coordinates.
     pub fn accelerations(&self) -> Vec<Id> {
         let second = self.kind.shape.into_iter().flat_map(|shape| shape.second);
         let parts = second.flat_map(|field| {
@@ -174,7 +180,7 @@ impl TreeJoint {
             .collect()
     }
 
-    /// Its motion is prescribed.
+    /// Whether its motion is prescribed.
     pub fn is_driven(&self) -> bool {
         self.given.iter().any(Option::is_some)
     }
@@ -187,12 +193,12 @@ impl System {
         tree.chain(&self.closings)
     }
 
-    /// Only the joints of its tree hold it.
+    /// Whether only the joints of its tree hold it.
     pub fn is_tree(&self) -> bool {
         self.closings.is_empty() && self.constraints.list.is_empty()
     }
 
-    /// The joint to the ground that carries a body.
+    /// The joint to the ground that carries a body, directly or indirectly.
     pub fn root(&self, mut body: usize) -> usize {
         while let Some(carrier) = self.joints[body].carrier {
             body = carrier;

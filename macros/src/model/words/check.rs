@@ -1,4 +1,4 @@
-//! Checks: claims about a body or a system, each in one state.
+//! Checks: claims about a body or a system, each made for one state.
 
 use proc_macro2::Ident;
 
@@ -11,7 +11,7 @@ pub struct Checks {
     pub list: Vec<Check>,
     /// The symbols of quantities that are derived later, if there are checks.
     pub answers: Option<Answers>,
-    /// For a system: the symbols of joint loads, force and moment, by name.
+    /// For a system: the names of joints, with the symbols of their force and moment.
     pub held: Vec<(Ident, [Components; 2])>,
 }
 
@@ -24,12 +24,12 @@ pub struct Answers {
     pub angular_momentum: Components,
 }
 
-/// One check: its claims, in one state.
+/// One check: the claims made for one state.
 #[derive(Clone)]
 pub struct Check {
     pub name: Ident,
     pub claims: Vec<Claim>,
-    /// Symbols, and their values in this state.
+    /// Symbols, each with its value in this state.
     pub given: Vec<(Id, Id, Extent)>,
 }
 
@@ -38,7 +38,7 @@ pub struct Check {
 pub struct Claim {
     pub comparison: Comparison,
     pub sides: [Id; 2],
-    /// Whether the first side is written on the right.
+    /// Whether the first side was written on the right.
     pub is_turned: bool,
     pub place: Extent,
 }

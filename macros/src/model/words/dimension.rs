@@ -21,15 +21,15 @@ const NAMED: [(&str, [i16; 7]); 8] = [
     ("C", [0, 0, 1, 1, 0, 0, 0]),
     ("N * m * s", [1, 2, -1, 0, 0, 0, 0]),
 ];
-/// The number of them, from the first, that are also shown over a base unit: `N / m`, `W / K`.
+/// How many of these, from the first, are also shown divided by a base unit: `N / m`, `W / K`.
 const DIVIDED: usize = 6;
 
-/// Powers of the base units, or [`Dimension::ANY`] for quantities without a unit.
+/// Powers of the base units, or [`Dimension::ANY`] for a quantity written without a unit.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Dimension(Option<[Fraction; 7]>);
 
 impl Dimension {
-    /// Fits everything: no unit was written.
+    /// Any dimension: no unit was written.
     pub const ANY: Self = Self(None);
     /// A pure number, or an angle.
     pub const NONE: Self = Self::base([0; 7]);
@@ -41,7 +41,7 @@ impl Dimension {
     pub const ANGULAR_ACCELERATION: Self = Self::base([0, 0, -2, 0, 0, 0, 0]);
     pub const FREQUENCY: Self = Self::base([0, 0, -1, 0, 0, 0, 0]);
     pub const FORCE: Self = Self::base([1, 1, -2, 0, 0, 0, 0]);
-    /// The dimension of a spring, N/m.
+    /// The dimension of the stiffness of a spring, N/m.
     pub const STIFFNESS: Self = Self::base([1, 0, -2, 0, 0, 0, 0]);
     pub const MOMENT: Self = Self::base([1, 2, -2, 0, 0, 0, 0]);
     pub const INERTIA: Self = Self::base([1, 2, 0, 0, 0, 0, 0]);
@@ -57,7 +57,7 @@ impl Dimension {
         Self(Some(fractions))
     }
 
-    /// `None`, here and below, if an exponent becomes too large.
+    /// The dimension of a product. `None`, here and below, if an exponent becomes too large.
     pub fn times(self, other: Self) -> Option<Self> {
         self.combine(other, Fraction::plus)
     }
@@ -70,7 +70,7 @@ impl Dimension {
         self.combine(self, |own, _| own.times(exponent))
     }
 
-    /// To the power of a number; a power of a pure number is a pure number.
+    /// The dimension of a power. A power of a pure number is a pure number.
     pub fn power_of_number(self, exponent: &Number) -> Option<Self> {
         let Some(exponents) = self.0 else {
             return Some(Self::ANY);
@@ -123,7 +123,7 @@ impl Dimension {
         Some(name)
     }
 
-    /// The named unit whose quotient by a base unit it is.
+    /// The named unit and the base unit whose quotient has this dimension.
     fn quotient(self) -> Option<(&'static str, &'static str)> {
         let mut named = NAMED[..DIVIDED].iter();
         named.find_map(|(name, exponents)| {

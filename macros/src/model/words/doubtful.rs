@@ -1,13 +1,13 @@
-//! Functions and quotients that may have no value, and why.
+//! Functions and quotients that may have no value, and the reason.
 
 use crate::errors::Extent;
 use crate::symbolic::{Id, Number};
 
 use super::shown::shown;
 
-/// An expression of the description that may have no value, depending on parameters.
+/// An expression of the description that has no value for some values of parameters.
 pub struct Doubtful {
-    /// The word of a function; for a quotient, `/`.
+    /// The name of a function, or `/` for a quotient.
     pub word: String,
     pub operands: Vec<Id>,
     pub value: Id,

@@ -6,7 +6,7 @@ use crate::symbolic::{Foreign, Number};
 
 use super::dimension::Dimension;
 
-/// A constant, known once the body is built.
+/// A constant whose value is known once the body is built.
 pub struct ForeignConstant {
     pub name: Ident,
     /// A Rust expression.
@@ -18,18 +18,19 @@ pub struct ForeignFunction {
     pub name: Ident,
     pub arguments: Vec<(Ident, Number, Dimension)>,
     pub result: (Number, Dimension),
-    /// Its path and those of the given derivatives, each with the arguments that it is
-    /// differentiated by, in order.
+    /// The paths of the function and of its derivatives. Each comes with the arguments that it is
+    /// differentiated with respect to, in order.
     pub paths: Vec<(Vec<usize>, TokenStream)>,
 }
 
 impl ForeignFunction {
-    /// The function itself and its given derivatives: the name and path of each.
+    /// The function and its given derivatives, each with its name and path.
     pub fn given(&self) -> impl Iterator<Item = (String, &TokenStream)> {
         self.paths.iter().map(|(by, path)| (self.named(by), path))
     }
 
-    /// Its name, or that of a derivative; `None` for a derivative that is not given.
+    /// The name of the function or of one of its derivatives; `None` for a derivative that is not
+    /// given.
     pub fn word(&self, which: Foreign) -> Option<String> {
         let is_it =
             |by: &[usize]| by.iter().fold(which.without(), |one, place| one.by(*place)) == which;
@@ -37,7 +38,7 @@ impl ForeignFunction {
         Some(self.named(by))
     }
 
-    /// `lift`, `lift_by_alpha`, `lift_by_alpha_by_speed`
+    /// A name such as `lift`, `lift_by_alpha` or `lift_by_alpha_by_speed`.
     pub fn named(&self, by: &[usize]) -> String {
         let arguments = by
             .iter()

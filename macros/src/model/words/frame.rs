@@ -1,7 +1,6 @@
-//! Frames, by index.
+//! Frames, identified by an index.
 
-/// The axes of components, by index: those of the ground, and those that rotate with a
-/// body.
+/// The axes of components: those of the ground, or those that rotate with a body.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Frame(usize);
 
@@ -16,7 +15,7 @@ impl Frame {
         self.0
     }
 
-    /// Its name in names and messages.
+    /// Its word in generated names and in messages.
     pub fn word(self) -> &'static str {
         if self == Self::WORLD { "world" } else { "body" }
     }

@@ -12,14 +12,14 @@ pub const AXES: [&str; 3] = ["x", "y", "z"];
 pub struct Labels {
     names: HashMap<Id, String>,
     notes: HashMap<&'static str, &'static str>,
-    /// The unknowns of guarded reciprocals.
+    /// The unknowns that guarded reciprocals give.
     unknowns: HashMap<Id, String>,
-    /// For trials: nothing gets a name.
+    /// Whether nothing gets a name, as in trials.
     is_silent: bool,
 }
 
 impl Labels {
-    /// Labels of a trial, which have no names.
+    /// Labels for a trial, in which nothing gets a name.
     pub fn silent() -> Self {
         Self {
             is_silent: true,
@@ -27,7 +27,7 @@ impl Labels {
         }
     }
 
-    /// The labels of a part, to be adopted or discarded.
+    /// Empty labels for a part of the work, to be adopted or discarded later.
     pub fn part(&self) -> Self {
         Self {
             is_silent: self.is_silent,
@@ -51,7 +51,7 @@ impl Labels {
         }
     }
 
-    /// The same for an angular quantity: in the plane it is about z, and has one name.
+    /// The same for an angular quantity. In the plane, it is about z and has a single name.
     pub fn vector_or_one(&mut self, name: &str, of: &str, components: Components) {
         let [x, y, z] = components;
         if x == y && x != z {
@@ -78,7 +78,7 @@ impl Labels {
         self.notes.entry(name).or_insert(note);
     }
 
-    /// Moves names to the expressions that replaced named ones.
+    /// Gives the names of expressions to their images, which replace them.
     pub fn follow(&mut self, images: &[(Id, Id)]) {
         for (id, image) in images {
             if let Some(name) = self.names.get(id).cloned() {
@@ -97,7 +97,7 @@ impl Labels {
         }
     }
 
-    /// The group of a name, and its description.
+    /// The name without the suffix of an axis, and its description.
     pub fn note(&self, name: &str) -> Option<(&'static str, &'static str)> {
         let group = AXES
             .iter()
@@ -108,12 +108,12 @@ impl Labels {
             .map(|(group, note)| (*group, *note))
     }
 
-    /// Records the unknown that a division gives.
+    /// Records the unknown that a division solves for.
     pub fn divide_for(&mut self, reciprocal: Id, unknown: String) {
         self.unknowns.entry(reciprocal).or_insert(unknown);
     }
 
-    /// The unknown of a guarded reciprocal.
+    /// The unknown that a guarded reciprocal gives.
     pub fn unknown(&self, reciprocal: Id) -> &str {
         self.unknowns.get(&reciprocal).map_or("", String::as_str)
     }

@@ -9,20 +9,20 @@ use super::frame::Frame;
 /// The variables of the motion of a body.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Variable {
-    /// Of G, world axes.
+    /// Of G, in world axes.
     Position,
     Velocity,
     LinearAcceleration,
-    /// The same in body axes, for loads that depend on it.
+    /// The acceleration in body axes, for loads that depend on it.
     AccelerationInBody,
     /// The angle of a body in the plane, or about the axis of a hinge.
     Angle,
     /// The attitude quaternion: its component 0 is the scalar.
     Quaternion,
-    /// In body axes; that of an angle is along its axis, in the place of z.
+    /// In body axes. If there is one angle, they are along its axis, in the place of z.
     AngularVelocity,
     AngularAcceleration,
-    /// The axis of a rod, world axes.
+    /// The axis of a rod, in world axes.
     Axis,
     AxisRate,
     AxisAcceleration,
@@ -50,7 +50,7 @@ impl Variable {
         )
     }
 
-    /// Its name in the acceleration of the state.
+    /// Its name in the type of the acceleration.
     pub fn of_acceleration(self) -> &'static str {
         match self {
             Self::LinearAcceleration => "linear",
@@ -60,12 +60,12 @@ impl Variable {
     }
 }
 
-/// The meaning of a symbol; the last number is a component, one before it the index of a
+/// The meaning of a symbol. The last number is a component; a number before it is the index of a
 /// declaration.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Meaning {
     Time,
-    /// Of the motion of a body, identified by its frame.
+    /// A variable of the motion of a body, which is identified by its frame.
     Of(Frame, Variable, usize),
     /// A parameter, and its component if it is a vector.
     Param(usize, Option<usize>),
@@ -74,7 +74,7 @@ pub enum Meaning {
     Constant(usize),
     /// A user-defined state.
     Own(usize),
-    /// A reaction, given from outside, and its component in world axes.
+    /// A component, in world axes, of a reaction that is given from outside.
     Reaction(usize, usize),
     /// A displacement or a rotated vector, during differentiation.
     Virtual,

@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::fraction::Fraction;
 
-/// A product of powers of units, by their words.
+/// A product of powers of units, as words.
 #[derive(Clone, Debug)]
 pub struct Unit(pub Vec<(String, Fraction)>);
 

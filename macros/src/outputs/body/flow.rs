@@ -1,5 +1,5 @@
 //! `flow`: the motion in closed form, as a path of the runtime that begins at a state. Elliptic
-//! functions are computed in doubles.
+//! functions are computed in doubles, whatever the scalar.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -66,12 +66,12 @@ impl Output<Model> for Flow {
     }
 }
 
-/// `Flight<FreeRotation, 3>`, `Pendulum`, ...
+/// The type of the path: `Flight<FreeRotation, 3>`, `Pendulum`, ...
 fn path_type(shapes: &Shapes, rotation: &Rotation) -> TokenStream {
     with_center(shapes, rotation_type(shapes, rotation))
 }
 
-/// A path of this kind of motion, for a body that has none.
+/// Some type of path, for a body without a closed form.
 fn any_path(shapes: &Shapes) -> TokenStream {
     let private = &shapes.private;
     let rotation = match shapes.motion.orientation {
@@ -95,8 +95,8 @@ fn with_center(shapes: &Shapes, rotation: Option<TokenStream>) -> TokenStream {
     }
 }
 
-/// `Flight { center: Parabola { .. }, rotation: FreeRotation::principal(..) }`, or a single
-/// part.
+/// `Flight { center: Parabola { .. }, rotation: FreeRotation::principal(..) }`, or only one of
+/// these parts.
 fn write_path(writer: &Writer<'_>, flow: &mechanics::Flow) -> Method {
     let shapes = &writer.shapes;
     let linear = &flow.linear[shapes.motion.linear_axes()];
@@ -121,7 +121,8 @@ fn write_path(writer: &Writer<'_>, flow: &mechanics::Flow) -> Method {
     })
 }
 
-/// The expressions that the path reads: entries of a tensor only if there are no principal axes.
+/// The expressions that the path reads. It reads the entries of a tensor only if there are no
+/// principal axes.
 fn path_roots(outline: &Outline, rotation: &Rotation) -> Vec<Id> {
     match rotation {
         Rotation::Free(Free::Tensor(entries)) if outline.scalar.is_some() => entries.to_vec(),

@@ -40,12 +40,12 @@ impl Output<Model> for Inverse {
         drives.flatten().copied().collect()
     }
 
-    /// A `Result` if the configuration may leave drives undetermined.
+    /// The method returns a `Result` if some configuration may leave drives undetermined.
     fn emit(&self, site: &Site<'_>) -> Addition {
         let outline = site.outline;
         let mut method = site.method(self.0.as_ref(), |writer, solved| {
             let (graph, roots) = (&writer.work.graph, self.roots());
-            // early divisors are checked in `new`
+            // divisors known early are checked in `new`
             let is_late = |id: Id| !graph.is_early(id);
             let late = graph
                 .reachable(&roots, is_late)

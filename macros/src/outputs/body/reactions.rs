@@ -41,7 +41,7 @@ impl Output<Model> for Reactions {
         reactions.flatten().copied().collect()
     }
 
-    /// Under constraints, an error where they do not determine their reactions.
+    /// Under constraints, the method returns an error where they do not determine their reactions.
     fn emit(&self, site: &Site<'_>) -> Addition {
         let outline = site.outline;
         let is_fallible = outline.is_constrained;

@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use crate::emit::code::{Site, local};
 use crate::model::{AXES, Group, Outline, Variable};
 
-/// `impl Coordinated<STATES, INPUTS> for Body`; `in_world` says for each joint whether its
+/// `impl Coordinated<STATES, INPUTS> for Body`; `in_world` says of each joint whether its
 /// coordinates are in world axes.
 pub fn coordinated(site: &Site<'_>, in_world: &[bool]) -> TokenStream {
     let (outline, private) = (site.outline, &site.shapes.private);
@@ -80,7 +80,7 @@ fn places(groups: &[Group], in_world: &[bool]) -> Vec<TokenStream> {
     places.collect()
 }
 
-/// Whether a group is the position of the body that another turns.
+/// Whether `group` is the position of the joint whose rotation is `other`.
 fn is_position(group: &Group, other: &Group) -> bool {
     other.joint == group.joint && other.variable == Variable::Position && other.size > 1
 }
@@ -98,7 +98,7 @@ fn place(group: &Group, part: usize, [is_in_world, is_free]: [bool; 2]) -> Token
     }
 }
 
-/// Inputs as components, components as inputs, and the number of components.
+/// How inputs become components, how components become inputs, and the number of components.
 fn components(outline: &Outline) -> (Vec<TokenStream>, Vec<TokenStream>, usize) {
     let (given, list) = (local("input"), local("components"));
     let (mut read, mut written) = (Vec::new(), Vec::new());

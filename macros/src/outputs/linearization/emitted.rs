@@ -9,7 +9,7 @@ use crate::symbolic::Id;
 
 use super::matrices::Placed;
 
-/// The words for the trait, its struct, its method and their documentation.
+/// The names of the trait, its struct and its method, and their documentation.
 pub struct Words {
     pub name: &'static str,
     pub method: &'static str,

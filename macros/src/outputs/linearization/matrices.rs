@@ -9,10 +9,10 @@ use crate::emit::code::{Shapes, Site, Values, local};
 use crate::mechanics::{Block, Column, Row};
 use crate::model::{AXES, Declared, Group, Outline, Variable};
 
-/// A description with mistakes gets no blocks if there would be more than this.
+/// The most blocks that an invalid description gets.
 const MOST: usize = 4096;
 
-/// The tangent space of the states, and the inputs, in groups.
+/// The tangent space of the states and the inputs, in groups of components.
 pub struct Space {
     state: Vec<Group>,
     accelerations: Vec<Group>,
@@ -24,7 +24,7 @@ pub struct Space {
 pub struct Placed {
     pub name: Ident,
     size: [usize; 2],
-    /// The first row, and the first column.
+    /// Its first row and first column.
     at: [usize; 2],
     is_of_input: bool,
 }
@@ -46,12 +46,12 @@ impl Space {
         }
     }
 
-    /// The number of coordinates before the rates.
+    /// The number of coordinates; the rates come after them.
     fn places(&self) -> usize {
         self.size()[0] - components(&self.accelerations)
     }
 
-    /// The number of coordinates, and of components of inputs.
+    /// The number of coordinates and rates, and of components of inputs.
     fn size(&self) -> [usize; 2] {
         [
             components(&self.state),
@@ -110,13 +110,13 @@ impl Space {
             let columns = state.chain((0..self.inputs.len()).map(Column::Input));
             columns.map(move |column| self.place(Row::Acceleration(row), column))
         });
-        // an input that is called like a coordinate was reported
+        // an input with the name of a coordinate is reported elsewhere
         let mut seen = HashSet::new();
         let all = attitudes.chain(blocks);
         all.filter(|one| seen.insert(one.name.clone())).collect()
     }
 
-    /// All possible blocks of derivatives by parameters.
+    /// All possible blocks of derivatives with respect to parameters.
     pub fn by_params(&self) -> Vec<Placed> {
         let rows = 0..self.accelerations.len();
         let columns = |row| (0..self.params.len()).map(move |number| (row, number));
@@ -153,8 +153,8 @@ impl Space {
         patterns
     }
 
-    /// `impl Linearized<STATES, INPUTS> for BodyLinearization`; of a description with mistakes
-    /// there is no pattern.
+    /// `impl Linearized<STATES, INPUTS> for BodyLinearization`; for an invalid description, without
+    /// a pattern.
     pub fn matrices(
         &self,
         site: &Site<'_>,
@@ -240,7 +240,7 @@ fn of_groups(groups: &[Group]) -> Vec<String> {
         .collect()
 }
 
-/// The same of inputs and parameters.
+/// The names of the components of inputs or parameters.
 fn of_declared(declared: &[(String, usize)]) -> Vec<String> {
     let declared = declared.iter();
     declared
@@ -262,7 +262,7 @@ fn components(groups: &[Group]) -> usize {
 }
 
 impl Placed {
-    /// Puts the block of `self` into a matrix that begins with this row.
+    /// Puts the block of `self` into a matrix; `first` is the first row of that matrix.
     fn put(&self, site: &Site<'_>, first: usize) -> TokenStream {
         let (private, name, matrix) = (&site.shapes.private, &self.name, local("matrix"));
         let [row, column] = [self.at[0] - first, self.at[1]].map(Literal::usize_unsuffixed);

@@ -1,4 +1,5 @@
-//! `linearization`: the derivatives of the rates of a state by state and input, in blocks.
+//! `linearization`: the derivatives of the rates of a state with respect to state and input, in
+//! blocks.
 
 use proc_macro2::Ident;
 

@@ -1,4 +1,4 @@
-//! `sensitivity`: the derivatives of the accelerations by parameters, in blocks.
+//! `sensitivity`: the derivatives of the accelerations with respect to parameters, in blocks.
 
 use crate::emit::code::Site;
 use crate::emit::items::Addition;

@@ -1,5 +1,5 @@
-//! `flow`: the motion of a system in closed form, a path of the runtime for each joint. Elliptic
-//! functions are those of doubles.
+//! `flow`: the motion of a system in closed form, with a path of the runtime for each joint.
+//! Elliptic functions are computed in doubles.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -76,8 +76,8 @@ impl Output<System> for Flow {
     }
 }
 
-/// `pub struct SatellitePath { hub: Flight<Gyrostat, 3>, wheel: Accelerated<Hinge> }`, which is a
-/// path joint by joint.
+/// `pub struct SatellitePath { hub: Flight<Gyrostat, 3>, wheel: Accelerated<Hinge> }`, and its
+/// evaluation as a path, joint by joint.
 fn declared(site: &Site<'_>, name: &Ident, fields: &[(Ident, TokenStream)]) -> TokenStream {
     let (private, outline, time) = (&site.shapes.private, site.outline, local("time"));
     let state_type = site.shapes.state_type();
@@ -111,7 +111,7 @@ fn declared(site: &Site<'_>, name: &Ident, fields: &[(Ident, TokenStream)]) -> T
     }
 }
 
-/// The expressions that the start of a path reads; vectors have this many components.
+/// The expressions that the start of a path reads; its vectors have `axes` components.
 fn roots(course: &Course, axes: usize) -> Vec<Id> {
     match course {
         Course::Uniform(accelerations) => accelerations.clone(),
@@ -246,7 +246,7 @@ fn accelerated(shapes: &Shapes, shape: &Shape) -> TokenStream {
     quote!(#private::Accelerated<#kind>)
 }
 
-/// A path of a joint, in a system that has none.
+/// Some type of path for a joint, in a system without a closed form.
 fn any_path(shapes: &Shapes, shape: &Shape) -> TokenStream {
     let private = &shapes.private;
     let has = |variable| shape.fields.iter().any(|field| field.variable == variable);

@@ -1,4 +1,4 @@
-//! `inverse`: the open drives with which the joints accelerate as is given.
+//! `inverse`: the open drives that give the joints prescribed accelerations.
 
 use proc_macro2::Ident;
 use quote::quote;
@@ -17,7 +17,7 @@ const OFFER: Offer = Offer {
     ..Offer::new(INVERSE)
 };
 
-/// The open drives, by name, each with the loads along its freedoms.
+/// The open drives, each with its name and the loads along its freedoms.
 #[derive(Default)]
 pub struct Inverse(Option<Vec<(Ident, Vec<Id>)>>);
 
@@ -35,7 +35,7 @@ impl Output<System> for Inverse {
                 "no drive is open: write `motor = _.on(elbow)` for each that is to be found";
             return basis.errors.report(basis.outline.place(INVERSE)?, message);
         }
-        // constraints move some joints with the others
+        // under constraints, some joints need no drive because they move with the others
         let mut is_sound = true;
         let undriven = joints
             .by_ref()

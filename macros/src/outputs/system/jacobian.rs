@@ -1,4 +1,4 @@
-//! `jacobian(arm.tip)`: how the velocities of points follow from the rates of the joints.
+//! `jacobian(arm.tip)`: the velocities of points as functions of the rates of the joints.
 
 use quote::quote;
 

@@ -1,4 +1,5 @@
-//! `reactions`, of some joints `reactions(elbow)`: force and moment of joints on what they carry.
+//! `reactions`, or `reactions(elbow)` for some joints only: the force and moment of a joint on what
+//! it carries.
 
 use proc_macro2::Ident;
 use quote::quote;
@@ -23,9 +24,10 @@ const OFFER: Offer = Offer {
 
 /// The loads that joints carry.
 struct Carried {
-    /// Force and moment of each joint, by name.
+    /// The force and the moment of each joint, with its name.
     wrenches: Vec<(Ident, [Components; 2])>,
-    /// Along coordinates whose motion is prescribed, and of written constraints, by name.
+    /// The loads along coordinates with prescribed motion, and those of written constraints, by
+    /// name.
     scalars: Vec<(Ident, Id)>,
 }
 
@@ -108,7 +110,7 @@ impl Output<System> for Reactions {
     }
 }
 
-/// Reports requested loads that are not determined, at the name of each requested joint.
+/// Reports requested loads that are not determined, at the names of the requested joints.
 fn check_determined(basis: &mut Basis<'_, System>) -> Option<()> {
     let (system, outline) = (basis.model, basis.outline);
     let open = derive_system_open(system, basis.work, basis.equations);

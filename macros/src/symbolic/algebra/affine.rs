@@ -32,7 +32,7 @@ impl Graph {
         Some(self.sum(&terms))
     }
 
-    /// Ends at the first node that is something else.
+    /// Whether the root consists of sums, symbols and early factors alone.
     fn is_affine(&self, root: Id) -> bool {
         let (mut pending, mut seen) = (vec![root], BTreeSet::new());
         while let Some(id) = pending.pop() {
@@ -84,7 +84,7 @@ impl Graph {
         }
     }
 
-    /// The sum of the first, and of the second times a factor.
+    /// `first + factor * second`
     fn with(&mut self, first: &Affine, second: &Affine, factor: Id) -> Affine {
         let second = self.scaled(second, factor);
         let mut sum = first.clone();

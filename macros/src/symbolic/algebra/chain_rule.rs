@@ -6,9 +6,9 @@ use crate::symbolic::number::Function;
 use super::operations::Algebra;
 use super::slopes::{slope, slopes, takes_first};
 
-/// The change of a node with its operands, one step of the chain rule, from their values and their
-/// changes `d`; `None` is no change. Steps (`floor`, `ceil`, `signum`) do not change, and a choice
-/// changes like its branches.
+/// The change of a node with its operands, one step of the chain rule, computed from their values
+/// and their changes `d`. `None` means that nothing changes. Step functions (`floor`, `ceil`,
+/// `signum`) do not change, and a choice changes as its branches do.
 pub fn change<A: Algebra>(
     of: &mut A,
     node: &Node,
@@ -35,7 +35,7 @@ pub fn change<A: Algebra>(
             let slope = slope(of, function, &known(a), itself);
             product(of, d(a), &slope)
         }
-        // not as a weight of zero, which would be lost if the other side has no slope
+        // a choice, not a weight of zero: that would be lost if the other side has no slope
         Node::Binary(function @ (Function::Min | Function::Max), a, b) => {
             let first = takes_first(of, function, &known(a), &known(b));
             Some(chosen(of, &first, d(a), d(b)))
@@ -105,7 +105,7 @@ fn difference<A: Algebra>(
     sum(of, a, b)
 }
 
-/// The sum of two changes, each with its slope.
+/// The sum of two changes, each multiplied by its slope.
 fn combined<A: Algebra>(
     of: &mut A,
     (a, by_a): (Option<A::Value>, &A::Value),

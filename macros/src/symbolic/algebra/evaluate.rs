@@ -14,7 +14,7 @@ impl Graph {
             values[id.index()] = match *self.node(id) {
                 Node::Number(ref number) => number.to_f64(),
                 Node::Truth(holds) => truth(holds),
-                // functions from outside are unknown here
+                // the values of foreign functions are unknown here
                 Node::Undefined | Node::Foreign(..) => f64::NAN,
                 Node::Symbol(_) => symbol(id),
                 Node::Quantity(a) => value(a),
@@ -80,7 +80,7 @@ pub(in crate::symbolic) fn binary(function: Function, a: f64, b: f64) -> f64 {
     }
 }
 
-#[allow(clippy::float_cmp, reason = "the comparison that was written")]
+#[allow(clippy::float_cmp, reason = "the user wrote this comparison")]
 fn compare(comparison: Comparison, a: f64, b: f64) -> bool {
     match comparison {
         Comparison::Less => a < b,

@@ -14,13 +14,13 @@ use super::operations::{self, Algebra};
 /// The result for an expression.
 #[derive(Clone, Debug)]
 pub enum Exact {
-    /// For a condition, one if it holds and zero if not.
+    /// The value; for a condition, one if it holds and zero if not.
     Number(Number),
-    /// It depends on symbols without a known value.
+    /// It depends on symbols whose values are unknown.
     Open(BTreeSet<Id>),
     /// It depends on whether something is zero, and that is neither proved nor refuted.
     Undecided,
-    /// A quotient by zero, the root of a negative number.
+    /// It has no value: a quotient by zero, or the root of a negative number.
     Absent,
 }
 
@@ -43,7 +43,7 @@ impl Graph {
         values.collect()
     }
 
-    /// The value of a table; at its knots one polynomial ends and another one begins.
+    /// The value of a table; undecided if the argument may be a knot, where two polynomials meet.
     fn exact_table(&self, argument: Exact, table: Id) -> Exact {
         let Exact::Number(x) = &argument else {
             return argument;
@@ -59,7 +59,7 @@ impl Graph {
     }
 }
 
-/// Whether it is unknown which of both is larger.
+/// Whether it is unknown which of the two is larger.
 fn is_near(a: &Number, b: &Number) -> bool {
     (a.clone() - b.clone()).is_undecided()
 }
@@ -75,7 +75,7 @@ impl Exact {
         Self::Number(Number::integer(i64::from(holds)))
     }
 
-    /// The value of a function if one of its arguments is no number.
+    /// The value of a function if one of its arguments is not a number.
     fn poisoned(values: &[Self]) -> Self {
         let mut open = BTreeSet::new();
         for value in values {
@@ -131,7 +131,7 @@ impl Algebra for Exactly {
 
     fn multiply(&mut self, a: &Exact, b: &Exact) -> Exact {
         match (a, b) {
-            // missing values that are not needed
+            // an unknown factor does not matter if the other one is zero
             (Exact::Open(_), zero) | (zero, Exact::Open(_)) if self.is_zero(zero) => zero.clone(),
             _ => Self::both(a, b, |a, b| Exact::Number(a.clone() * b.clone())),
         }
@@ -171,7 +171,7 @@ impl Algebra for Exactly {
         }
     }
 
-    /// The result of a Rust function is not known before the code runs.
+    /// The result of a foreign function is not known before the code runs.
     fn foreign(&mut self, _: Foreign, arguments: &[Exact; Foreign::ARGUMENTS]) -> Exact {
         Exact::poisoned(arguments)
     }

@@ -1,10 +1,11 @@
-//! Statements that are used once, and whose constants are better folded where they are used.
+//! Folds statements that are used only once, where that saves operations on constants.
 
 use crate::symbolic::graph::{Graph, Id, Node};
 
 impl Graph {
-    /// `roots` without the statements `early * late` and `early + late` that are used once, and the
-    /// images of all their parts, in order; unchanged if that is no cheaper.
+    /// `roots` without the statements `early * late` and `early + late` that are used only once,
+    /// and the images of all their parts, in order. Without a saving, `roots` are unchanged and
+    /// there are no images.
     pub fn folded(&mut self, roots: &[Id]) -> (Vec<Id>, Vec<(Id, Id)>) {
         let last = roots.iter().max().map_or(0, |last| last.index());
         let mut uses = vec![0_u32; last + 1];
@@ -16,7 +17,7 @@ impl Graph {
         for root in roots {
             uses[root.index()] += 1;
         }
-        // all parts follow the roots, so that their images are known
+        // all parts follow the roots, so that their images are returned too
         let order = self.reachable(roots, |_| true);
         let all = [roots, &order].concat();
         let images = self.rebuild(&all, |graph, id, image| match *graph.node(id) {

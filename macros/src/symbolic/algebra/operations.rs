@@ -1,6 +1,6 @@
-//! The algebras of expressions: numbers of some kind, or again expressions.
+//! Algebras: the operations of nodes on values of some kind, such as numbers or expressions.
 //!
-//! The meaning of a node, and its change with its operands, are written once, for all of them.
+//! The value of a node, and its change with its operands, are written once, for all algebras.
 
 use crate::symbolic::graph::{Comparison, Id, Node};
 use crate::symbolic::number::{Foreign, Function, Number};
@@ -16,7 +16,7 @@ pub trait Algebra {
     fn multiply(&mut self, a: &Self::Value, b: &Self::Value) -> Self::Value;
     fn divide(&mut self, a: &Self::Value, b: &Self::Value) -> Self::Value;
     fn apply(&mut self, function: Function, arguments: &[Self::Value]) -> Self::Value;
-    /// A function from outside.
+    /// A foreign function, one that is defined outside the description.
     fn foreign(
         &mut self,
         function: Foreign,
@@ -77,7 +77,8 @@ pub trait Algebra {
         a.clone()
     }
 
-    /// A positive value; otherwise it has no value.
+    /// A value if it is positive, and no value otherwise; algebras that cannot tell return it
+    /// unchanged.
     fn positive(&mut self, a: &Self::Value) -> Self::Value {
         a.clone()
     }

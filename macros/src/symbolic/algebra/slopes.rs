@@ -7,7 +7,7 @@ use crate::symbolic::number::{Function, Number};
 
 use super::operations::Algebra;
 
-/// Derivative of a function of one argument at `a`, where its value is `value`.
+/// The derivative of a function of one argument at `a`, where its value is `value`.
 pub fn slope<A: Algebra>(
     of: &mut A,
     function: Function,
@@ -64,7 +64,7 @@ pub fn slope<A: Algebra>(
     }
 }
 
-/// Derivatives of a function of two arguments by each of them.
+/// The derivatives of a function of two arguments with respect to each of them.
 pub fn slopes<A: Algebra>(
     of: &mut A,
     function: Function,
@@ -87,7 +87,7 @@ pub fn slopes<A: Algebra>(
             let logarithm = of.apply(Function::Ln, from_ref(a));
             (of.multiply(b, &power), of.multiply(value, &logarithm))
         }
-        // the derivative of a table is one, too
+        // the derivative of a table is a table, too
         Function::Table => {
             let next = of.add(b, &one);
             (of.apply(Function::Table, &[a.clone(), next]), zero)

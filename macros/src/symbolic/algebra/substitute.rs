@@ -1,4 +1,4 @@
-//! The replacement of symbols; by numbers, it is exact evaluation.
+//! The replacement of symbols. If all of them are replaced by numbers, this is exact evaluation.
 
 use crate::symbolic::graph::{Comparison, Components, Graph, Id, Node};
 use crate::symbolic::number::{Foreign, Function, Number};
@@ -6,7 +6,8 @@ use crate::symbolic::number::{Foreign, Function, Number};
 use super::operations::{self, Algebra};
 
 impl Graph {
-    /// `roots` with symbols replaced: `replacement` gives the new expressions of those that change.
+    /// `roots` with symbols replaced: `replacement` gives the new expression of each symbol that
+    /// changes.
     pub fn substitute(&mut self, roots: &[Id], replacement: impl Fn(Id) -> Option<Id>) -> Vec<Id> {
         self.rebuild(roots, |graph, id, image| match graph.node(id) {
             Node::Symbol(_) => replacement(id).unwrap_or(id),
@@ -41,9 +42,9 @@ impl Graph {
     }
 }
 
-/// Expressions of expressions.
+/// Expressions made of other expressions.
 impl Graph {
-    /// A vector with values in place of symbols.
+    /// A vector with symbols replaced by values.
     pub fn replaced(&mut self, components: Components, values: &[(Id, Id)]) -> Components {
         let value = |id: Id| {
             let known = values.iter().find(|(symbol, _)| *symbol == id);

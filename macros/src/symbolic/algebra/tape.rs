@@ -1,4 +1,4 @@
-//! Expressions in the order of computation, for a sequence of states.
+//! Expressions in the order of computation, to be evaluated at many states.
 
 use crate::symbolic::graph::{Graph, Id, Node};
 
@@ -29,7 +29,7 @@ impl Graph {
 }
 
 impl Tape<'_> {
-    /// The values of all expressions; `symbol` answers for the symbols.
+    /// The values of all expressions; `symbol` gives those of symbols.
     pub fn values<A: Algebra>(
         &self,
         algebra: &mut A,
@@ -48,7 +48,7 @@ impl Tape<'_> {
         values
     }
 
-    /// The changes of all of them if symbols change by `rate`; `None` is no change.
+    /// The changes of all expressions if symbols change by `rate`; `None` means no change.
     pub fn changes<A: Algebra>(
         &self,
         algebra: &mut A,

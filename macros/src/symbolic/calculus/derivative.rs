@@ -1,7 +1,7 @@
 //! Partial derivatives.
 //!
-//! The nodes are walked in the order in which they were made, children first, without recursion,
-//! and the results are built by the simplifying constructors.
+//! Nodes are visited in the order in which they were made, children first, without recursion. The
+//! simplifying constructors build the results.
 
 use crate::symbolic::algebra::chain_rule;
 use crate::symbolic::graph::{Graph, Id};
@@ -9,15 +9,15 @@ use crate::symbolic::graph::{Graph, Id};
 impl Graph {
     /// The partial derivatives of `roots` with respect to the symbol `by`.
     ///
-    /// Steps (`floor`, `ceil`, `signum`) have the derivative zero, and a choice is differentiated
-    /// branch by branch.
+    /// Step functions (`floor`, `ceil`, `signum`) have the derivative zero, and a choice is
+    /// differentiated branch by branch.
     pub fn derivative(&mut self, roots: &[Id], by: Id) -> Vec<Id> {
         let one = self.one();
         self.change(roots, |symbol| (symbol == by).then_some(one))
     }
 
-    /// The changes of `roots` with given changes: `rate` gives them for symbols, and for
-    /// expressions that are not descended into.
+    /// The changes of `roots`, given the changes of some expressions: `rate` gives them for
+    /// symbols, and for expressions whose operands are not visited.
     pub fn change(&mut self, roots: &[Id], rate: impl Fn(Id) -> Option<Id>) -> Vec<Id> {
         let order = self.reachable(roots, |id| rate(id).is_none());
         let mut changes = vec![None; order.last().map_or(0, |last| last.index() + 1)];

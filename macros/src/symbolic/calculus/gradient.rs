@@ -1,9 +1,9 @@
 //! Gradients: the slopes of one expression along all of its leaves, in one backward sweep.
 //!
-//! From a root to its operands, each node passes down the slope of the root along it. Powers,
-//! including roots, are treated as a whole, so that no unneeded square root is computed only to be
-//! divided away; every divisor is inverted once. A branch is differentiated where it is taken: its
-//! slopes carry their condition, and meet those of the other branch only at the leaves.
+//! From a root to its operands, each node passes down the slope of the root along itself. Powers,
+//! including roots, are treated as a whole, so that no square root is computed only to be divided
+//! away. Every divisor is inverted once. A branch is differentiated where it is taken: its slopes
+//! carry the condition of the branch, and meet those of the other branch only at the leaves.
 
 use std::collections::HashMap;
 
@@ -11,27 +11,27 @@ use crate::symbolic::algebra::{self, takes_first};
 use crate::symbolic::graph::{Graph, Id, Node};
 use crate::symbolic::number::{Function, Number};
 
-/// A power of a base, with its exponent in halves: `s`, its root and the root's square share one
-/// base.
+/// A base, and its exponent in halves. A value, its square root and the square of that root share
+/// one base.
 type Power = (Id, i32);
 
-/// The condition under which a slope counts; the first one always holds.
+/// The index of the condition under which a slope counts; condition 0 always holds.
 type Guard = usize;
 
 /// Slopes passed down, by node and by guard.
 struct Sweep {
     powers: Vec<Power>,
-    /// Whether a leaf is in the node.
+    /// Whether the node contains a leaf.
     matters: Vec<bool>,
     slopes: Vec<Vec<(Guard, Id)>>,
-    /// For guards `2 n + 1` and `2 n + 2`: the enclosing guard, and the condition that the first
-    /// of them requires and the second excludes.
+    /// Entry n describes the guards `2 n + 1` and `2 n + 2`: the guard that encloses them, and the
+    /// condition that must hold for the first and fail for the second.
     branches: Vec<(Guard, Id)>,
 }
 
 impl Graph {
-    /// The slopes of `sum of weight * root` along each of the leaves on which it depends, in their
-    /// order; leaves are not descended into.
+    /// The slopes of `sum of weight * root` along each leaf on which it depends, in the order of
+    /// the leaves. Operands of leaves are not visited.
     pub fn gradient(
         &mut self,
         weighted: &[(Id, Id)],
@@ -48,7 +48,7 @@ impl Graph {
             branches: Vec::new(),
         };
         for &id in &order {
-            // a vector may have zero components
+            // a vector may have zero components, which are not leaves
             let is_leaf = is_leaf(id) && !self.is_early(id);
             let mut operands = self.node(id).operands();
             sweep.matters[id.index()] =
@@ -162,8 +162,8 @@ impl Graph {
         powers[&id]
     }
 
-    /// A slope that all terms of a sum of squares will use, as a statement: half of it, since
-    /// each square contributes a factor of two.
+    /// The slope that all terms of a sum of squares will use. Since each square contributes a
+    /// factor of two, twice the slope is the statement, and the result is half of it.
     fn shared(&mut self, base: Id, slope: Id) -> Id {
         if self.is_early(slope) || !self.is_sum_of_squares(base) {
             return slope;
@@ -202,7 +202,7 @@ impl Graph {
         }
     }
 
-    /// The chain rule: from a node with this slope to its operands.
+    /// The chain rule: passes the slope of a node on to its operands.
     fn pass(&mut self, sweep: &mut Sweep, id: Id, guard: Guard, slope: Id) {
         let (base, halves) = sweep.powers[id.index()];
         if base != id {
@@ -240,7 +240,7 @@ impl Graph {
             Node::Multiply(a, b) => {
                 vec![(a, self.multiply(slope, b)), (b, self.multiply(slope, a))]
             }
-            // by a divisor known early: all others are powers
+            // only divisors known early are left: all others were turned into powers
             Node::Divide(a, b) => vec![(a, self.divide(slope, b))],
             Node::Pivot(a, _) => {
                 // (1 / a)' = -(1 / a)^2 a'
@@ -289,7 +289,7 @@ impl Graph {
         self.hand_down(sweep, second, 2 * branch + 2, slope);
     }
 
-    /// One slope, chosen by the conditions.
+    /// The slopes of all branches as one expression that selects by their conditions.
     fn gather(&mut self, branches: &[(Guard, Id)], slopes: Vec<(Guard, Id)>) -> Id {
         let mut by_guard = vec![self.zero(); 2 * branches.len() + 1];
         for (guard, slope) in slopes {

@@ -1,5 +1,6 @@
 //! Norms where they are zero. There a norm has no slope, but a product with it may have one:
-//! quadratic drag `|v| v` has the slope zero at rest. So a norm counts as level where it is zero.
+//! quadratic drag `|v| v` has the slope zero at rest. So a norm gets the slope zero where it is
+//! zero.
 //!
 //! A norm that is a divisor is unchanged: where it is zero, the quotient has no value.
 
@@ -9,7 +10,8 @@ use crate::symbolic::graph::{Comparison, Graph, Id, Node};
 use crate::symbolic::number::Function;
 
 impl Graph {
-    /// The same expressions, to be differentiated by these leaves.
+    /// The same expressions, rewritten so that the slopes of their norms are zero where the norms
+    /// are.
     pub fn level_norms(&mut self, roots: &[Id], is_leaf: impl Fn(Id) -> bool) -> Vec<Id> {
         let divisors = self.divisors(roots, &is_leaf);
         self.rebuild(roots, |graph, id, image| {
@@ -26,7 +28,8 @@ impl Graph {
         })
     }
 
-    /// Whether it is a hypotenuse, or the root of a nonnegative expression, and not a divisor.
+    /// Whether this is a norm that divides nothing: a hypotenuse, or the root of an expression that
+    /// is nonnegative and may be zero.
     fn is_norm(&self, id: Id, divisors: &HashSet<Id>) -> bool {
         match *self.node(id) {
             Node::Unary(Function::Sqrt, a) => !divisors.contains(&a) && self.may_touch_zero(a),

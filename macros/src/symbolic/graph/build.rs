@@ -5,9 +5,9 @@
 //! absorbs them. Beyond that, no sum is multiplied out and no order of summation is changed: the
 //! form of the equations is the responsibility of their author.
 //!
-//! The rules are those of real numbers and hold wherever an expression has a value: `0 * x`, `x -
-//! x` and `0 / x` are zero, `x / x` and `x * (1 / x)` are one. Where it has none, because `x` is
-//! zero or NaN, it may be given one.
+//! The rules are those of real numbers. They hold wherever an expression has a value: `0 * x`,
+//! `x - x` and `0 / x` are zero, `x / x` and `x * (1 / x)` are one. Where it has none, because `x`
+//! is zero or NaN, the simplified expression may have one.
 
 use crate::symbolic::number::{Foreign, Function, Number, ORDERS, Table};
 
@@ -26,12 +26,12 @@ impl Graph {
         self.number(Number::integer(value))
     }
 
-    #[expect(clippy::unused_self, reason = "made as all other numbers are")]
+    #[expect(clippy::unused_self, reason = "called as the other constructors are")]
     pub fn zero(&self) -> Id {
         ZERO
     }
 
-    #[expect(clippy::unused_self, reason = "made as all other numbers are")]
+    #[expect(clippy::unused_self, reason = "called as the other constructors are")]
     pub fn one(&self) -> Id {
         ONE
     }
@@ -104,8 +104,8 @@ impl Graph {
         }
     }
 
-    /// `1 / divisor`, guarded against a divisor that is nothing but rounding of terms of the size
-    /// `scale`; a divisor known early is checked where it is computed.
+    /// `1 / divisor`. It is guarded: a divisor no larger than the rounding error of terms of the
+    /// size `scale` is not used. A divisor known early is checked where it is computed.
     pub fn pivot(&mut self, divisor: Id, scale: Id) -> Id {
         if self.is_early(divisor) {
             let one = self.one();
@@ -114,7 +114,7 @@ impl Graph {
         self.checked_reciprocal(divisor, scale)
     }
 
-    /// The same also for a divisor known early: it gives NaN there.
+    /// The same, but a divisor known early is guarded too; a guard that fails gives NaN there.
     pub fn checked_reciprocal(&mut self, divisor: Id, scale: Id) -> Id {
         if self.as_number(divisor).is_some() {
             let one = self.one();
@@ -134,7 +134,7 @@ impl Graph {
         self.find(&Node::Negate(a))
     }
 
-    /// Whether `a` is written with a leading minus, and the expression after it.
+    /// Whether `a` is written with a leading minus, and what follows the sign.
     pub fn split_sign(&mut self, a: Id) -> (bool, Id) {
         let negative = match self.node(a) {
             Node::Negate(_) => true,
@@ -194,7 +194,7 @@ impl Graph {
         }
     }
 
-    /// A function of one argument, or of two.
+    /// A function of one or two arguments.
     pub fn apply(&mut self, function: Function, arguments: &[Id]) -> Id {
         if arguments
             .iter()
@@ -227,7 +227,7 @@ impl Graph {
         }
     }
 
-    /// A function from outside.
+    /// A foreign function.
     pub fn foreign(&mut self, function: Foreign, arguments: [Id; Foreign::ARGUMENTS]) -> Id {
         if arguments
             .iter()
@@ -268,7 +268,7 @@ impl Graph {
         }
     }
 
-    /// Constants that thousands of bits do not distinguish are taken as equal.
+    /// Constants that thousands of bits cannot tell apart count as equal.
     pub fn compare(&mut self, comparison: Comparison, a: Id, b: Id) -> Id {
         let known = match (self.as_number(a), self.as_number(b)) {
             (Some(x), Some(y)) if (x.clone() - y.clone()).is_undecided() => {

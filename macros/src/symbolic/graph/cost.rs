@@ -13,7 +13,7 @@ pub struct Cost {
     pub add: u32,
     pub div: u32,
     pub sqrt: u32,
-    /// Trigonometric and other transcendental functions, and those from outside.
+    /// Trigonometric and other transcendental functions, and foreign functions.
     pub trig: u32,
     /// Comparisons, choices, absolute values, roundings.
     pub other: u32,
@@ -73,7 +73,7 @@ impl Graph {
         cost
     }
 
-    /// The late operations that computing `roots` takes.
+    /// The cost of the late operations in `roots`.
     pub fn late_cost(&self, roots: &[Id]) -> Cost {
         let late = |id: Id| !self.is_early(id);
         let nodes: Vec<Id> = self

@@ -1,9 +1,9 @@
 //! Differences written as products.
 //!
-//! Two moments of inertia of a box differ by `m/12 (c^2 - b^2)`. Subtracted from each other, they
-//! leave the rounding of both; as `m/12 (c - b) (c + b)`, only that of the edges (`docs/trust.md`,
-//! H2). The same holds for an edge that is a number, if the difference takes more digits than a
-//! double has.
+//! Two moments of inertia of a box differ by `m/12 (c^2 - b^2)`. If they are subtracted, the
+//! rounding errors of both remain; in `m/12 (c - b) (c + b)`, only those of the edges do
+//! (`docs/trust.md`, H2). The same holds for an edge that is a number, if the difference needs more
+//! digits than a double has.
 
 use std::collections::BTreeMap;
 
@@ -11,13 +11,13 @@ use crate::symbolic::number::Number;
 
 use super::nodes::{Graph, Id, Node, Stage};
 
-/// A difference that takes more steps than these to multiply out is kept unchanged.
+/// A difference that takes more steps than this to multiply out is kept unchanged.
 const STEPS: usize = 1000;
 
-/// Factors that are not descended into, with their powers.
+/// Factors that are not taken apart any further, with their powers.
 type Monomial = BTreeMap<Id, u32>;
 
-/// A term in the course of multiplying out.
+/// A term that is being multiplied out.
 #[derive(Clone)]
 struct Product {
     number: Number,
@@ -26,8 +26,8 @@ struct Product {
 }
 
 impl Graph {
-    /// `a - b`, known once the parameters are: a product, if all but one term cancels, or all but
-    /// two squares.
+    /// `a - b`. If it is known once the parameters are, it becomes a product, provided that all but
+    /// one term or two squares cancel.
     pub fn difference(&mut self, a: Id, b: Id) -> Id {
         let is_early = self.stage(a).max(self.stage(b)) == Stage::Parameter;
         let factored = is_early.then(|| self.difference_as_product(a, b)).flatten();
@@ -39,7 +39,7 @@ impl Graph {
         let mut left = terms.into_iter().filter(|(_, number)| !number.is_zero());
         let (x, factor) = left.next()?;
         let Some((y, opposite)) = left.next() else {
-            // everything else cancels
+            // all other terms cancel
             let (x, factor) = (self.monomial(&x), self.number(factor));
             return Some(self.multiply(factor, x));
         };
@@ -65,7 +65,7 @@ impl Graph {
         Some(self.multiply(scale, product))
     }
 
-    /// `x - y`; for a number y, the remainder after its nearest double comes last.
+    /// `x - y`. If y is a number, its nearest double is subtracted first and the remainder last.
     fn apart(&mut self, x: Id, y: Id) -> Id {
         let Some(number) = self.as_number(y).cloned() else {
             return self.subtract(x, y);
@@ -136,7 +136,7 @@ impl Graph {
     }
 }
 
-/// The factors of both.
+/// The factors that both contain.
 fn shared(x: &Monomial, y: &Monomial) -> Monomial {
     let both = x.iter().filter_map(|(factor, power)| {
         let power = power.min(y.get(factor)?);
@@ -145,7 +145,7 @@ fn shared(x: &Monomial, y: &Monomial) -> Monomial {
     both.collect()
 }
 
-/// The root of the rest of a product without those factors.
+/// The square root of what remains of a product without the factors `beside`.
 fn root(x: &Monomial, beside: &Monomial) -> Option<Monomial> {
     let rest = x
         .iter()

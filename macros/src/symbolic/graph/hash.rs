@@ -1,5 +1,5 @@
-//! The hash of nodes. Keys are short and numerous; a user who makes them collide only slows down
-//! their own build.
+//! The hash of nodes. Keys are short and numerous. Collisions are no danger: users who provoke them
+//! only slow down their own builds.
 
 use core::hash::Hasher;
 
@@ -7,7 +7,7 @@ use core::hash::Hasher;
 #[derive(Clone, Copy, Default)]
 pub(in crate::symbolic) struct WordHasher(u64);
 
-/// Odd, with bits without a pattern: 2^64 over the golden ratio.
+/// 2^64 divided by the golden ratio: odd, and its bits have no pattern.
 const FACTOR: u64 = 0x9e37_79b9_7f4a_7c15;
 
 impl Hasher for WordHasher {
@@ -28,7 +28,7 @@ impl Hasher for WordHasher {
     }
 
     fn write_u128(&mut self, word: u128) {
-        #[expect(clippy::cast_possible_truncation, reason = "its two halves")]
+        #[expect(clippy::cast_possible_truncation, reason = "both halves are hashed")]
         let halves = [word as u64, (word >> 64) as u64];
         self.write_u64(halves[0]);
         self.write_u64(halves[1]);

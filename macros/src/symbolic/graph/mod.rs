@@ -1,4 +1,4 @@
-//! The graph: nodes, and the constructors that simplify them; vectors, costs, and the order of a
+//! The graph: nodes, the constructors that simplify them, vectors, costs, and the order of a
 //! program.
 
 mod build;

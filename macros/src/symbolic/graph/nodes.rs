@@ -1,7 +1,7 @@
 //! The expression graph: an arena of hash-consed nodes.
 //!
 //! Equal expressions are one node, children precede their parents, and only the simplifying
-//! constructors of [`super::build`] make nodes. A graph knows symbols as numbers and not
+//! constructors of [`super::build`] make nodes. To a graph, symbols are numbers: it does not know
 //! their meanings.
 
 use core::cmp::Ordering;
@@ -37,7 +37,7 @@ pub enum Stage {
     State,
 }
 
-/// Comparisons; `>` and `>=` are written with the operands exchanged.
+/// Comparisons; `>` and `>=` are stored with their operands exchanged.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Comparison {
     Less,
@@ -47,7 +47,7 @@ pub enum Comparison {
 }
 
 impl Comparison {
-    /// Whether it holds for numbers in this order.
+    /// Whether the comparison holds for two numbers in this order.
     pub fn holds(self, order: Ordering) -> bool {
         match self {
             Self::Less => order.is_lt(),
@@ -66,8 +66,7 @@ pub enum Node {
     /// A constant that does not exist: a division by zero, the root of a negative number.
     Undefined,
     Symbol(Symbol),
-    /// An expression that is treated as atomic: a statement of the code, which no rule descends
-    /// into.
+    /// An expression that is a statement of the code and counts as atomic: no rule looks inside it.
     Quantity(Id),
     /// A positive quantity, such as a mass: NaN where it is not positive.
     Positive(Id),
@@ -78,7 +77,7 @@ pub enum Node {
     Divide(Id, Id),
     Unary(Function, Id),
     Binary(Function, Id, Id),
-    /// A function from outside; missing arguments are zero.
+    /// A foreign function; missing arguments are zero.
     Foreign(Foreign, [Id; Foreign::ARGUMENTS]),
     Compare(Comparison, Id, Id),
     And(Id, Id),
@@ -86,8 +85,8 @@ pub enum Node {
     Not(Id),
     /// `if condition { first } else { second }`
     Select(Id, Id, Id),
-    /// The reciprocal of a divisor that may vanish in some configuration, and the size of the
-    /// terms of its sum: a divisor no larger than their rounding is not used.
+    /// The reciprocal of a divisor that may vanish in some configuration, and the size of the terms
+    /// of the divisor: if it is no larger than their rounding error, it is not used.
     Pivot(Id, Id),
 }
 
@@ -98,7 +97,7 @@ impl Node {
         operands.into_iter().take(count)
     }
 
-    /// The operands, left to right, and the number of the three places that they take.
+    /// The operands, left to right, in an array of three, and how many there are.
     fn operands_in_place(&self) -> ([Id; 3], usize) {
         match *self {
             Self::Number(_) | Self::Truth(_) | Self::Undefined | Self::Symbol(_) => ([ZERO; 3], 0),
@@ -120,7 +119,7 @@ impl Node {
         }
     }
 
-    /// The operation and its operands as unique words; not for numbers.
+    /// The operation and its operands, packed into one unique word; numbers do not fit.
     fn words(&self) -> u128 {
         let (operation, which): (u8, u32) = match *self {
             Self::Number(_) => (0, 0),
@@ -145,7 +144,8 @@ impl Node {
             Self::Positive(_) => (19, 0),
         };
         let ([a, b, c], _) = self.operands_in_place();
-        // three operands leave room for the operation and the 24 bits of a function only
+        // three operands leave room for the operation and the 24 bits of a foreign function; the
+        // index of any other function takes the place of a third operand
         let last = if which == 0 { c.0 } else { which };
         let operands = u128::from(a.0) | u128::from(b.0) << 32 | u128::from(last) << 64;
         let foreign = match *self {
@@ -165,14 +165,14 @@ pub struct Graph {
     stages: Vec<Stage>,
     numbers: ByWords<Number>,
     operations: ByWords<u128>,
-    /// By their numbers.
+    /// Tables, by index.
     pub(super) tables: Vec<Table>,
-    /// The requested products of early factors.
+    /// Products of early factors made so far.
     pub(super) products: ByWords<[Id; 2]>,
-    /// The requested negatives, by their originals.
+    /// Negatives made so far, by the node that is negated.
     pub(super) negatives: Vec<Option<Id>>,
     symbols: Vec<Id>,
-    /// The axes of tensors, where requested.
+    /// Principal axes of tensors computed so far.
     pub(in crate::symbolic) spectra: HashMap<[Components; 3], Spectrum>,
 }
 
@@ -214,7 +214,7 @@ impl Graph {
         self.stage(id) < Stage::State
     }
 
-    /// Whether all values are.
+    /// Whether all values are known before the state is.
     pub fn are_early(&self, ids: &[Id]) -> bool {
         ids.iter().all(|id| self.is_early(*id))
     }
@@ -232,13 +232,13 @@ impl Graph {
         self.symbols[symbol.0 as usize]
     }
 
-    /// The unique node of this shape. Only constructors call it, on nodes that they cannot
+    /// The unique node of this shape. Only constructors call it, with nodes that they cannot
     /// simplify.
     pub(in crate::symbolic) fn intern(&mut self, node: Node) -> Id {
         if let Some(id) = self.find(&node) {
             return id;
         }
-        // functions from outside are unknown at expansion
+        // the values of foreign functions are unknown at expansion
         let least = match node {
             Node::Foreign(..) => Stage::Parameter,
             _ => Stage::Constant,
@@ -268,7 +268,8 @@ impl Graph {
         id
     }
 
-    /// All nodes of `roots`, children first; `enter` says which are descended into.
+    /// All nodes of `roots`, children first; `enter` says whether the operands of a node are
+    /// visited.
     pub fn reachable(&self, roots: &[Id], enter: impl Fn(Id) -> bool) -> Vec<Id> {
         let mut found = self.reached(roots, enter);
         found.sort_unstable();
@@ -301,7 +302,7 @@ impl Graph {
             .any(|id| is_of_interest(*id))
     }
 
-    /// The number to which an expression has folded.
+    /// The number that the expression is, if it has folded to one.
     pub fn as_number(&self, id: Id) -> Option<&Number> {
         match self.node(id) {
             Node::Number(number) => Some(number),
@@ -309,12 +310,12 @@ impl Graph {
         }
     }
 
-    #[expect(clippy::unused_self, reason = "asked as all else is")]
+    #[expect(clippy::unused_self, reason = "called as the other predicates are")]
     pub fn is_zero(&self, id: Id) -> bool {
         id == ZERO
     }
 
-    #[expect(clippy::unused_self, reason = "asked as all else is")]
+    #[expect(clippy::unused_self, reason = "called as the other predicates are")]
     pub fn is_one(&self, id: Id) -> bool {
         id == ONE
     }

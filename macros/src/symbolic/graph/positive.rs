@@ -15,9 +15,9 @@ enum Sign {
 }
 
 impl Graph {
-    /// `a`, or NaN where it is negative. A value known early is checked in the constructor of the
-    /// body, and an expression that is nonnegative by its form needs no check: a division by zero
-    /// is not finite.
+    /// `a`, or NaN where it is not positive. Two kinds of expressions need no check: those known
+    /// early are checked in the constructor of the body, and in those that are nonnegative by their
+    /// form, a zero shows when it is divided by, because the quotient is not finite.
     pub fn positive(&mut self, a: Id) -> Id {
         if self.is_undefined(a) || self.is_early(a) || self.sign(a) != Sign::Unknown {
             return a;
@@ -25,7 +25,7 @@ impl Graph {
         self.intern(Node::Positive(a))
     }
 
-    /// The same as a separate line, if it changes.
+    /// The same as a statement of its own, unless it is known early.
     pub fn positive_quantity(&mut self, a: Id) -> Id {
         if self.is_early(a) {
             return a;
@@ -34,7 +34,7 @@ impl Graph {
         self.quantity(positive)
     }
 
-    /// The expression under the check of positivity.
+    /// The expression without its check for positivity.
     pub fn unchecked(&self, a: Id) -> Id {
         match *self.node(a) {
             Node::Positive(inner) => inner,
@@ -45,7 +45,7 @@ impl Graph {
         }
     }
 
-    /// Whether it is no less than zero by its form, and may be zero: as a sum of squares.
+    /// Whether the expression is nonnegative by its form but may be zero, as a sum of squares is.
     pub fn may_touch_zero(&self, a: Id) -> bool {
         self.sign(a) == Sign::NotNegative
     }

@@ -40,7 +40,7 @@ impl Graph {
         }
     }
 
-    /// The early factor of a product, and the late rest; either may be one.
+    /// The early factor of a product, and the late remainder; either may be one.
     pub fn split_factor(&mut self, a: Id) -> (Id, Id) {
         let one = self.one();
         match *self.node(a) {
@@ -50,7 +50,7 @@ impl Graph {
         }
     }
 
-    /// `factor * rest` of an early factor and a late rest, or one.
+    /// `factor * rest`, where `factor` is early and `rest` is late or one.
     fn scale(&mut self, factor: Id, rest: Id) -> Id {
         if self.is_one(rest) {
             return factor;
@@ -91,7 +91,8 @@ impl Graph {
         self.intern(Node::Multiply(x.min(y), x.max(y)))
     }
 
-    /// Product of two early factors, in one canonical form: a number, parameters, over parameters.
+    /// The product of two early factors in one canonical form: a number times parameters, divided
+    /// by parameters.
     fn multiply_known(&mut self, a: Id, b: Id) -> Id {
         if self.is_one(a) && self.is_one(b) {
             return a;
@@ -169,7 +170,8 @@ impl Graph {
         }
     }
 
-    /// A quotient. A divisor known early is inverted once; there is no division by it later.
+    /// A quotient. A divisor known early is inverted once, and later code multiplies by the
+    /// inverse.
     pub fn divide(&mut self, a: Id, b: Id) -> Id {
         if self.is_undefined(a) || self.is_one(b) {
             return a;

@@ -4,27 +4,26 @@ use crate::symbolic::number::Function;
 
 use super::nodes::{Graph, Id, Node, Stage};
 
-/// The limit of operations of one statement before it is split.
+/// A statement with more operations than this is split.
 const STATEMENT: u32 = 14;
 
 /// Straight-line code that computes `outputs`.
 pub struct Program {
     /// The named expressions, in order: an operand precedes its use.
     pub statements: Vec<Id>,
-    /// The outputs.
     pub outputs: Vec<Id>,
-    /// Expressions of an earlier stage that the code reads; symbols and numbers are not among them.
+    /// Expressions of an earlier stage that the code reads, except symbols and numbers.
     pub hoisted: Vec<Id>,
     /// Symbols that the code reads.
     pub symbols: Vec<Id>,
-    /// All nodes that are computed by this program, children first.
+    /// All nodes that this program computes, children first.
     pub nodes: Vec<Id>,
 }
 
 impl Graph {
-    /// Schedules `outputs` for evaluation at `stage`. An expression becomes a statement if it is
-    /// a quantity, if it is used more than once, or if the statement around it would grow too
-    /// long. A condition is no number, so none is kept from an earlier stage.
+    /// Schedules `outputs` for evaluation at `stage`. An expression becomes a statement if it is a
+    /// quantity, if it is used more than once, or if the statement around it would grow too long. A
+    /// condition is not a number, so it is never stored at an earlier stage.
     pub fn schedule(&self, outputs: &[Id], stage: Stage) -> Program {
         self.schedule_where(outputs, |id| self.stage(id) == stage)
     }
@@ -72,7 +71,7 @@ impl Graph {
             let negates = matches!(self.node(id), Node::Negate(_));
             let is_named = |inner: Id| statements.binary_search(&inner).is_ok();
             if is_quantity && self.node(id).operands().any(is_named) {
-                // another name for an existing statement
+                // this only renames an existing statement
                 continue;
             }
             let weight = inlined + u32::from(!negates && !is_quantity);
@@ -86,7 +85,8 @@ impl Graph {
         statements
     }
 
-    /// The cosine for the sine `id`, or the reverse, if it exists.
+    /// The cosine that belongs to the sine `id`, or the sine that belongs to a cosine, if it
+    /// exists.
     pub fn other_half(&self, id: Id) -> Option<Id> {
         match *self.node(id) {
             Node::Unary(Function::Sin, angle) => self.find(&Node::Unary(Function::Cos, angle)),
@@ -95,7 +95,8 @@ impl Graph {
         }
     }
 
-    /// A sine and a cosine of the same angle are computed together.
+    /// Whether this is a sine or cosine whose counterpart is computed as well: then both are
+    /// computed together.
     fn is_half_of_a_pair(&self, id: Id, nodes: &[Id]) -> bool {
         self.other_half(id)
             .is_some_and(|other| nodes.binary_search(&other).is_ok())

@@ -77,7 +77,7 @@ impl Graph {
         }
     }
 
-    /// Sum of two early terms: numbers are gathered, the rest is kept as it is.
+    /// The sum of two early terms: numbers are gathered, everything else stays as it is.
     fn add_known(&mut self, a: Id, b: Id) -> Id {
         let ((number_a, rest_a), (number_b, rest_b)) = (self.split_number(a), self.split_number(b));
         let number = number_a + number_b;
@@ -103,7 +103,7 @@ impl Graph {
         }
     }
 
-    /// The number in an early sum, and the rest.
+    /// The number in an early sum, and the remainder.
     fn split_number(&mut self, a: Id) -> (Number, Id) {
         let zero = self.zero();
         match *self.node(a) {
@@ -124,7 +124,7 @@ impl Graph {
         }
     }
 
-    /// The early term of a sum, and the rest; either may be zero.
+    /// The early term of a sum, and the remainder; either may be zero.
     pub(in crate::symbolic) fn split_term(&mut self, a: Id) -> (Id, Id) {
         let zero = self.zero();
         if self.is_early(a) {
@@ -157,7 +157,7 @@ impl Graph {
         }
     }
 
-    /// `x - y`; if `y - x` exists already, its negative.
+    /// `x - y`; if `y - x` exists already, the negative of that.
     fn subtract_apart(&mut self, x: Id, y: Id) -> Id {
         match self.find(&Node::Subtract(y, x)) {
             Some(opposite) => self.intern(Node::Negate(opposite)),
@@ -170,7 +170,7 @@ impl Graph {
         self.add(a, negated)
     }
 
-    /// Sum of many terms: early terms are added first.
+    /// The sum of many terms. Late terms are added first; the early ones then gather into one.
     pub fn sum(&mut self, terms: &[Id]) -> Id {
         let mut sum = self.zero();
         let (early, late): (Vec<Id>, Vec<Id>) =
@@ -181,7 +181,7 @@ impl Graph {
         sum
     }
 
-    /// `(c, x)` of a term `c x` that is added to terms `d x`: before parameters, `c` is a
+    /// `(c, x)` of a term `c x`, to be combined with terms `d x`. If x is a parameter, `c` is a
     /// number.
     fn split_coefficient(&mut self, a: Id) -> (Id, Id) {
         let one = self.one();

@@ -27,7 +27,7 @@ impl Graph {
         a.map(|component| self.negate(component))
     }
 
-    /// Along the three axes.
+    /// The unit vectors along the three axes.
     pub fn unit_vectors(&mut self) -> [Components; 3] {
         [0, 1, 2].map(|place| [0, 1, 2].map(|part| self.integer(i64::from(part == place))))
     }
@@ -70,12 +70,12 @@ impl Graph {
         matrix.map(|row| self.dot(row, a))
     }
 
-    /// Whether only the component along this axis is nonzero.
+    /// Whether all components but the one along this axis are zero.
     pub fn is_along(&self, a: Components, axis: usize) -> bool {
         (0..3).all(|other| other == axis || self.is_zero(a[other]))
     }
 
-    /// The cofactors of a symmetric matrix: over its determinant, they are its inverse.
+    /// The cofactors of a symmetric matrix; divided by its determinant, they are its inverse.
     pub fn cofactors(&mut self, m: &[Components; 3]) -> [Components; 3] {
         [
             self.cross(m[1], m[2]),
@@ -84,8 +84,9 @@ impl Graph {
         ]
     }
 
-    /// `factor` times a sum, distributed over the sum where that costs no operation: an early term
-    /// is multiplied early, and terms with an early factor absorb it, if at most one term has none.
+    /// `factor` times a sum, distributed over the terms where that costs no operation: an early
+    /// term is multiplied early, and terms with an early factor absorb `factor`, if at most one
+    /// term has none.
     pub fn distribute(&mut self, factor: Id, a: Id) -> Id {
         let (early, late) = self.split_term(a);
         let early = self.multiply(factor, early);

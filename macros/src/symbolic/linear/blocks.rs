@@ -1,9 +1,10 @@
-//! Sets of equations that can be solved before others: those with as many unknowns as equations.
+//! Sets of equations that can be solved before the others: those with as many unknowns as
+//! equations.
 
 use super::system::System;
 
 impl System<'_> {
-    /// The smallest such set: its rows, and its unknowns in order. None if each set of rows
+    /// The smallest such set: its rows, and its unknowns in order. `None` if each set of rows
     /// involves more unknowns than it has rows.
     pub(super) fn first_block(&self) -> Option<(Vec<usize>, Vec<usize>)> {
         let matched = self.matching();
@@ -18,7 +19,7 @@ impl System<'_> {
         Some((rows, columns))
     }
 
-    /// A row, and the rows that give its other unknowns; none if no row gives one of them.
+    /// A row, and the rows that give its other unknowns; `None` if no row gives one of them.
     fn closure(&self, row: usize, matched: &[(usize, usize)]) -> Option<Vec<usize>> {
         let mut rows = vec![row];
         let mut next = 0;
@@ -34,7 +35,7 @@ impl System<'_> {
         Some(rows)
     }
 
-    /// Assigns to as many unknowns as possible a row that contains them.
+    /// Assigns rows to unknowns that they contain, for as many unknowns as possible.
     fn matching(&self) -> Vec<(usize, usize)> {
         let mut matched = Vec::new();
         for row in &self.left {

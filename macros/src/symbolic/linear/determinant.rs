@@ -1,5 +1,5 @@
-//! Equations solved at once if no coefficient is a safe pivot: two by Cramer's rule, so that only
-//! their determinant is divided by.
+//! Equations solved together if no coefficient is a safe pivot. Two are solved by Cramer's rule,
+//! which divides only by their determinant.
 //!
 //! ```text
 //! a x + b y = f       x = (d f - b g) / (a d - b c)
@@ -7,8 +7,8 @@
 //! ```
 //!
 //! A coefficient that depends on the state, or on parameters, may be zero although the equations
-//! are regular; their determinant is not. It is compared with the larger of its products, so a
-//! determinant that is nothing but rounding is not used. Determinants of more equations lose
+//! are regular; their determinant cannot. It is compared with the larger of its two products, so a
+//! determinant that is nothing but rounding error is not used. Determinants of more equations lose
 //! digits: see [`super::larger`].
 
 use crate::symbolic::graph::Id;
@@ -17,8 +17,8 @@ use crate::symbolic::number::Function;
 use super::system::System;
 
 impl System<'_> {
-    /// Solves the smallest set of equations that involves equally many unknowns, if there is
-    /// one, and it is singular on no branch.
+    /// Solves the smallest set of equations with as many unknowns, if there is one and it is
+    /// singular on no branch.
     pub(super) fn solve_block(&mut self) -> bool {
         let Some((rows, columns)) = self.first_block() else {
             return false;
@@ -27,7 +27,7 @@ impl System<'_> {
         if equations.any(|equation| equation.active.is_some()) {
             return false;
         }
-        // unknowns that are already solved for are still on the left
+        // unknowns that are solved for already are still on the left side
         let solved: Vec<usize> = (0..self.rows[rows[0]].coefficients.len())
             .filter(|column| !columns.contains(column))
             .collect();

@@ -1,14 +1,15 @@
 //! Linear equations with expressions as coefficients, solved by elimination.
 //!
-//! Zeros are proved: every row carries its coefficients at one random state, on each branch, and
-//! they are eliminated along with it. A pivot vanishes on no branch. Ones are preferred to numbers,
-//! and numbers to expressions that are positive by their structure, among these early ones first. A
-//! division that depends on the configuration is guarded ([`Graph::pivot`]). If all remaining
-//! coefficients may vanish in some state, or for some parameters, although the equations are
+//! Zeros are proved: every row carries the values of its coefficients at one random state, on each
+//! branch, and these are eliminated along with it. A pivot vanishes on no branch. Ones are
+//! preferred to other numbers, and numbers to expressions that are positive by their structure;
+//! among these, early ones come first. A division that depends on the configuration is guarded
+//! ([`Graph::pivot`]). It may be that all remaining coefficients vanish in some state, or for some
+//! parameters, although the equations are regular there; then no pivot is chosen: see
+//! [`super::determinant`].
 //! regular there, no pivot is chosen: [`super::determinant`].
 //!
-//! If an equation is trivial on some branch, the unknown that it is solved for is zero
-//! there.
+//! If an equation is trivial on some branch, the unknown that it is solved for is zero there.
 
 use crate::symbolic::graph::Graph;
 use crate::symbolic::number::Number;
@@ -16,27 +17,27 @@ use crate::symbolic::number::Number;
 use super::sizes::Size;
 use super::system::{Elimination, Equation, System};
 
-/// Kinds of pivots, the best first.
+/// Kinds of pivots, best first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     One,
     Number,
     EarlySquares,
     Squares,
-    /// It may vanish, but does not where others vanish: the slopes of closed loops among these.
+    /// It may vanish, but not where others do, such as the slopes of closed loops.
     Masses,
     /// It may vanish in some state or for some parameters, or is small compared with others.
     Unsafe,
 }
 
 impl Kind {
-    /// Whether it is large in all states, or comes before all that is not.
+    /// Whether it is large in all states, or must be used before any unsafe pivot.
     fn is_safe(self) -> bool {
         self <= Self::Masses
     }
 }
 
-/// A coefficient is small if another one of its unknown is this many times as large.
+/// A coefficient is small if another coefficient of the same unknown is this many times as large.
 const LARGE: i64 = 1000;
 
 impl Graph {
@@ -65,7 +66,8 @@ impl Graph {
 }
 
 impl System<'_> {
-    /// Keeps the results of eliminating sums of squares, once none is left.
+    /// Once no sums of squares are left, records the coefficients that their elimination has
+    /// produced.
     fn reduce_sizes(&mut self) {
         let open: Vec<usize> = self.open().collect();
         let is_square = |row: &usize| {
@@ -123,8 +125,8 @@ impl System<'_> {
         }
     }
 
-    /// Whether a coefficient is small compared with others of its unknown; a coefficient that is no
-    /// number counts as one.
+    /// Whether a coefficient is small compared with the others of its unknown. Those that are not
+    /// numbers count as one.
     fn is_small(&self, number: &Number, row: usize, column: usize) -> bool {
         let others = self.left.iter().filter(|other| **other != row);
         let mut others = others.map(|other| self.rows[*other].coefficients[column]);

@@ -1,17 +1,17 @@
-//! The inverse of coefficients that are known before the state is. Numbers are exact, so any of them
-//! that is not zero can be divided by; parameters are solved for by orthogonal columns.
+//! The inverse of a matrix whose coefficients are known before the state is. Numbers are exact, so
+//! any nonzero number can be a divisor; parameters are solved for with orthogonal columns.
 
 use crate::symbolic::graph::Id;
 
 use super::orthogonal::Entry;
 use super::system::System;
 
-/// The unknowns by a unit of each equation's right side.
+/// The unknowns for a unit right side in each equation.
 type Inverse = Vec<Vec<Entry>>;
 
 impl System<'_> {
-    /// The inverse of a matrix by its columns, and the guarded reciprocals in it; none if the
-    /// columns may be dependent.
+    /// The inverse of a matrix given by its columns, and the guarded reciprocals in it. `None` if
+    /// the columns may be dependent.
     pub(super) fn inverse(&mut self, columns: &[Vec<Entry>]) -> Option<(Inverse, Vec<Option<Id>>)> {
         let mut entries = columns.iter().flatten();
         if entries.all(|entry| self.graph.as_number(entry.0).is_some()) {
@@ -25,7 +25,7 @@ impl System<'_> {
         Some((inverse.collect(), triangle.inverses))
     }
 
-    /// By Gauss and Jordan's elimination.
+    /// Gauss-Jordan elimination.
     fn inverse_of_numbers(&mut self, columns: &[Vec<Entry>]) -> Option<Inverse> {
         let count = columns.len();
         let units = self.units(columns)?;

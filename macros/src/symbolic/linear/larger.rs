@@ -1,5 +1,5 @@
-//! Three and more equations solved at once: by orthogonal columns, or by the inverse of coefficients
-//! that are known early.
+//! Three or more equations solved together: with orthogonal columns, or with the inverse of
+//! coefficients that are known early.
 
 use crate::symbolic::graph::Id;
 
@@ -7,8 +7,8 @@ use super::orthogonal::{Entry, Triangle};
 use super::system::System;
 
 impl System<'_> {
-    /// Solves these rows for these columns, unless they may be dependent on some branch. `solved`
-    /// are unknowns that are solved for already and still on the left.
+    /// Solves these rows for these columns, unless the columns may be dependent on some branch. The
+    /// unknowns `solved` are solved for already, but still on the left side.
     pub(super) fn solve_larger(
         &mut self,
         rows: &[usize],
@@ -52,8 +52,8 @@ impl System<'_> {
         true
     }
 
-    /// The triangle. If all coefficients are known early, so is their inverse, and the triangle is
-    /// solved.
+    /// The triangular form. If all coefficients are known early, so is their inverse, and the
+    /// triangular form is already solved.
     fn triangle_of(&mut self, vectors: &[Vec<Entry>], sides: &[Vec<Id>]) -> Option<Triangle> {
         let count = vectors.len();
         let mut entries = vectors.iter().flatten();

@@ -6,14 +6,15 @@
 //! A = Q R,  q_i . q_j = 0:    R x = y,  y_i = q_i . b / q_i . q_i,  b less y_i q_i for the next
 //! ```
 //!
-//! No coefficient is divided by, only lengths of columns, which are positive wherever the equations
-//! are regular: so nothing has to be known about the coefficients. A determinant of this many
-//! equations would lose digits in its products. In the scalar product, each equation is divided by
-//! the length of its coefficients, as equations have different units.
+//! No coefficient is divided by, only squared lengths of columns. These are positive wherever the
+//! equations are regular, so nothing has to be known about the coefficients. A determinant of this
+//! many equations would lose digits in its products. In the scalar product, each equation is
+//! divided by the length of its coefficients, because equations have different units.
 //!
-//! What is left of a column is rounding if it is no longer than the rounding of its parts. The
-//! result is that of a matrix whose columns are rounded (Bjoerck, same paper), so the parts are the
-//! multiples of the earlier columns that come closest to it, and the column itself:
+//! The remainder of a column is nothing but rounding error if it is no longer than the rounding
+//! error of its parts. The result is that of a matrix whose columns are rounded (Bjoerck, same
+//! paper). So the parts are the column itself, and the multiples of the earlier columns that come
+//! closest to it:
 //!
 //! ```text
 //! |a_k| + sum of |x_j| |a_j|        a_k - sum of x_j a_j = q_k
@@ -46,7 +47,8 @@ impl Entry {
     }
 }
 
-/// Equations in triangular form: `x_k + sum of factors[k][j] x_j = sides[k]`, j after k.
+/// Equations in triangular form: `x_k + sum of factors[k][j] x_j = sides[k]`, where j comes after
+/// k.
 #[derive(Default)]
 pub(super) struct Triangle {
     pub factors: Vec<Vec<Entry>>,
@@ -56,7 +58,7 @@ pub(super) struct Triangle {
 }
 
 impl Triangle {
-    /// `|a_k| + sum of |x_j| |a_j|` of column k, the next one.
+    /// `|a_k| + sum of |x_j| |a_j|` of column k, the one to be added next.
     fn parts(&self, graph: &mut Graph, lengths: &[Id], k: usize) -> Id {
         let mut parts = vec![lengths[k]];
         for (Entry(multiple, _), length) in self.solve(graph, k).into_iter().zip(lengths) {
@@ -175,7 +177,7 @@ impl System<'_> {
             .collect()
     }
 
-    /// Subtracts from a vector its part along another one, and gives the factor of that.
+    /// Subtracts from a vector its part along another one, and returns the factor of that part.
     fn make_orthogonal(
         &mut self,
         (weighted, own): (&[Entry], &[Entry]),

@@ -1,25 +1,25 @@
-//! The size required of a divisor.
+//! How large a divisor has to be.
 
 use crate::symbolic::graph::{Graph, Id};
 use crate::symbolic::number::Function;
 
-/// The reference size of a coefficient before a division by it.
+/// What a coefficient is compared with before it is divided by.
 #[derive(Clone, Copy, Debug)]
 pub enum Size {
-    /// It is a sum of squares, and remains positive if others are eliminated: it is compared with
+    /// It is a sum of squares, and remains positive when others are eliminated: it is compared with
     /// its original value.
     Squares,
-    /// It is a product of two vectors, compared with the product of their lengths.
+    /// It is a product of two vectors: it is compared with the product of their lengths.
     Product(Id),
     /// It is compared with the largest of its terms.
     Terms,
-    /// The same for a mass, to which loads may have added. It is divided by before the entries
-    /// next to it.
+    /// The same for a mass to which loads may have added something. It is a pivot before the
+    /// entries next to it.
     Masses,
-    /// The same; and as a pivot, it would make remaining sums of squares lose their positivity.
+    /// The same; as a pivot, it would destroy the positivity of the remaining sums of squares.
     Beside,
-    /// Once all sums of squares are eliminated it is minus one, and remains negative if others are
-    /// eliminated: it is compared with its value at that point.
+    /// Once all sums of squares are eliminated, it is the negative of one, and remains negative
+    /// when others are eliminated: it is compared with its value at that point.
     Reduced,
 }
 

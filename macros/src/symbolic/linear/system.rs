@@ -1,4 +1,4 @@
-//! Linear equations in the course of solution, and one step of their elimination.
+//! Linear equations while they are being solved, and one step of their elimination.
 
 use crate::symbolic::graph::{Graph, Id, Node};
 use crate::symbolic::zeros::Sample;
@@ -12,7 +12,7 @@ pub struct Equation {
     pub right: Id,
     /// The coefficients at a random state.
     pub sample: Vec<Sample>,
-    /// The branches on which it is not trivial, if not all.
+    /// The condition under which it is not trivial, if there are branches where it is.
     pub active: Option<Id>,
     /// The known properties of each coefficient.
     pub sizes: Vec<Size>,
@@ -30,17 +30,17 @@ pub struct Elimination {
     pub spare: Vec<(usize, Id)>,
 }
 
-/// An unknown that is determined only together with others.
+/// An unknown that is determined only together with others, if at all.
 pub struct Undetermined {
     pub column: usize,
     /// The unknowns that can replace it.
     pub others: Vec<usize>,
-    /// A determined sum of unknowns with factors, including itself; itself alone if there are
-    /// no others.
+    /// A sum of unknowns with factors, including this one, that is determined. If there are no
+    /// others, this unknown alone.
     pub sum: Vec<(usize, Id)>,
 }
 
-/// Equations in the course of solution.
+/// Equations while they are being solved.
 pub(super) struct System<'g> {
     pub graph: &'g mut Graph,
     pub rows: Vec<Equation>,
@@ -49,7 +49,7 @@ pub(super) struct System<'g> {
     pub unknowns: usize,
     /// The rows that are not solved yet.
     pub left: Vec<usize>,
-    /// Whether sums of squares are eliminated, and the result of that is among `written`.
+    /// Whether all sums of squares are eliminated, and `written` contains the result.
     pub is_reduced: bool,
     pub steps: Vec<Step>,
     pub pivots: Vec<(usize, Id)>,
@@ -73,7 +73,7 @@ impl System<'_> {
         !self.rows[row].sample[column].is_zero()
     }
 
-    /// A coefficient, which is zero if it vanishes in all states.
+    /// A coefficient; zero if it is proved to vanish in all states.
     pub(super) fn coefficient(&self, row: usize, column: usize) -> Id {
         if self.is_there(row, column) {
             self.rows[row].coefficients[column]
@@ -82,7 +82,7 @@ impl System<'_> {
         }
     }
 
-    /// Solves a row for an unknown, which is eliminated from the others.
+    /// Solves a row for an unknown, and eliminates the unknown from the other rows.
     pub(super) fn eliminate(&mut self, row: usize, column: usize) {
         let divisor = self.rows[row].coefficients[column];
         let divisor = match self.rows[row].active {
@@ -108,7 +108,7 @@ impl System<'_> {
         }
     }
 
-    /// This row gives this unknown, by the reciprocal of its coefficient.
+    /// Records that this row gives this unknown, by the reciprocal of its coefficient.
     pub(super) fn give(&mut self, row: usize, column: usize, inverse: Id) {
         self.left.retain(|other| *other != row);
         let is_new = self.pivots.iter().all(|(_, known)| *known != inverse);

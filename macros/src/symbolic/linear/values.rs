@@ -1,22 +1,22 @@
-//! The values of the unknowns, once all possible equations are solved.
+//! The values of the unknowns, once every equation that can be solved is.
 
 use crate::symbolic::graph::{Graph, Id};
 
 use super::system::{Elimination, System, Undetermined};
 
 impl System<'_> {
-    /// The values, each after those in it.
+    /// The values, computed in an order in which each follows those that it depends on.
     pub(super) fn values(mut self) -> Elimination {
         let zero = self.graph.zero();
         let mut values = vec![zero; self.unknowns];
         let open: Vec<usize> = self.open().collect();
-        // the effect of an undetermined unknown on the solved ones
+        // how undetermined unknowns change the solved ones
         let mut changes = vec![vec![zero; self.unknowns]; open.len()];
         for (change, column) in changes.iter_mut().zip(&open) {
             change[*column] = self.graph.one();
         }
         let order = self.order();
-        // steps that wait for each other would be a defect: better no value than a wrong one
+        // steps that wait for each other would be a bug: better no value than a wrong one
         for step in (0..self.steps.len()).filter(|step| !order.contains(step)) {
             values[self.steps[step].column] = self.graph.undefined();
         }
@@ -57,8 +57,8 @@ impl System<'_> {
         }
     }
 
-    /// The steps, each after those whose unknowns it reads, otherwise in their order; without those
-    /// that wait for each other.
+    /// The steps, each after those whose unknowns it reads, otherwise in their original order.
+    /// Steps that wait for each other are left out.
     fn order(&self) -> Vec<usize> {
         let reads = |step: &usize, other: &usize| {
             let coefficients = &self.rows[self.steps[*step].row].coefficients;
@@ -76,7 +76,7 @@ impl System<'_> {
         order
     }
 
-    /// `u_c - sum of (du_c / du_j) u_j`, for the first unknown c that this one changes.
+    /// `u_c - sum of (du_c / du_j) u_j`, where c is the first unknown that `column` changes.
     fn together(&mut self, column: usize, open: &[usize], changes: &[Vec<Id>]) -> Undetermined {
         let own = open.iter().position(|known| *known == column);
         let is_changed = |of: &usize| {

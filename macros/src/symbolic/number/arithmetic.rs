@@ -1,4 +1,4 @@
-//! Sums, products, quotients, powers and the order of numbers.
+//! Sums, products, quotients and powers of numbers, and their order.
 
 use core::cmp::Ordering;
 use core::hash::{Hash, Hasher};
@@ -17,7 +17,7 @@ impl Number {
         }
     }
 
-    /// `None` for a division by zero, or by a number that cannot be distinguished from it.
+    /// `None` if the divisor is zero, or cannot be distinguished from zero.
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
         (!divisor.is_zero() && !divisor.is_undecided()).then(|| self.clone() / divisor.clone())
     }
@@ -127,7 +127,7 @@ impl Ord for Number {
     }
 }
 
-/// For different numbers; an arbitrary order if the sign of their difference is unknown.
+/// The order of two different numbers; arbitrary if the sign of their difference is unknown.
 fn order_of_irrationals(a: &Number, b: &Number) -> Ordering {
     let difference = a.clone() - b.clone();
     if difference.is_undecided() {

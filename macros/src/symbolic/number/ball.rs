@@ -7,10 +7,10 @@ use dashu_ratio::RBig;
 use super::float::Float;
 use super::function::Function;
 
-/// The error of a rational number: none.
+/// The exponent of the error of a rational number, which has none.
 pub(in crate::symbolic) const NONE: isize = isize::MIN / 4;
 
-/// A value, and a power of two that bounds its error.
+/// A value, and the exponent of a power of two that bounds its error.
 #[derive(Clone, Debug)]
 pub(in crate::symbolic) struct Ball {
     pub value: RBig,
@@ -48,7 +48,7 @@ impl Ball {
         }
     }
 
-    /// `None` unless the divisor is certainly not zero.
+    /// The quotient; `None` unless the divisor is certainly nonzero.
     pub fn quotient(a: &Self, b: &Self) -> Option<Self> {
         if b.bits() < 3 {
             return None;
@@ -71,7 +71,7 @@ impl Ball {
         self.bits() < 3
     }
 
-    /// The value of a function, by its slope.
+    /// The value of a function. Its slope gives the error.
     pub fn apply(&self, function: Function, bits: usize) -> Option<Self> {
         let x = self.value.to_float(bits).value();
         let is_near = self.bits() > 3;
@@ -102,7 +102,7 @@ impl Ball {
     }
 }
 
-/// The exponent of two, within one.
+/// The exponent of two of a number, to within one.
 pub(in crate::symbolic) fn size(value: &RBig) -> isize {
     value.numerator().bit_len().cast_signed() - value.denominator().bit_len().cast_signed()
 }

@@ -1,8 +1,8 @@
 //! Eigenvalues and eigenvectors of a symmetric matrix of numbers.
 //!
-//! A repeated eigenvalue of rational entries is rational, and so is the direction of the other:
-//! both are found exactly. Eigenvalues count as equal only if that is proved. Three different ones
-//! come from Jacobi's method at [`WORKING`] bits.
+//! A repeated eigenvalue of a matrix of rational entries is rational, and so is the direction of
+//! the other eigenvector: both are found exactly. Eigenvalues count as equal only if that is
+//! proved. Three different ones come from Jacobi's method at [`WORKING`] bits.
 
 use super::exact::Number;
 use super::float::Float;
@@ -10,39 +10,39 @@ use super::float::Float;
 /// A symmetric matrix, by rows.
 pub type Matrix = [[Number; 3]; 3];
 
-/// Bits of the iteration: doubles are still rounded correctly if two eigenvalues agree to 60
-/// digits.
+/// The bits of the iteration. Even if two eigenvalues agree to 60 digits, doubles are rounded
+/// correctly.
 const WORKING: usize = 512;
-/// The limit of sweeps through the three planes. After 8, each sweep doubles the digits.
+/// The most sweeps through the three planes. After 8 sweeps, each further one doubles the digits.
 const SWEEPS: usize = 24;
-/// The number of its correct bits.
+/// The correct bits of the result.
 const RIGHT: usize = 480;
-/// Components of a unit vector below 2 to the minus this may be zero.
+/// A component of a unit vector below `2^-SMALL` may be zero.
 const SMALL: isize = 200;
 
 /// A symmetric matrix in its principal axes.
 #[derive(Clone, Debug)]
 pub enum Spectrum {
-    /// `lambda 1`
+    /// `lambda 1`, a multiple of the unit matrix.
     Spherical(Number),
     Symmetric(Box<Symmetry>),
     General(Box<PrincipalAxes>),
 }
 
-/// Three different eigenvalues, and their unit vectors: right-handed, each nearest to the
-/// coordinate axis with its index.
+/// Three different eigenvalues and their unit eigenvectors, which are right-handed. Each is the one
+/// nearest to the coordinate axis with its index.
 #[derive(Clone, Debug)]
 pub struct PrincipalAxes {
     pub moments: [Number; 3],
     pub axes: [[Number; 3]; 3],
 }
 
-/// `across 1 + (along - across) n n` of a unit vector n.
+/// `across 1 + (along - across) n n`, where n is a unit vector.
 #[derive(Clone, Debug)]
 pub struct Symmetry {
     pub across: Number,
     pub along: Number,
-    /// Along n; its largest component is one.
+    /// A vector along n; its largest component is one.
     pub axis: [Number; 3],
 }
 
@@ -88,8 +88,8 @@ impl Symmetry {
         })
     }
 
-    /// With `across` twice among its eigenvalues, `matrix - across 1` is a dyad: its largest column
-    /// has the direction of the axis.
+    /// If `across` is a double eigenvalue, `matrix - across 1` is a dyad: its largest column has
+    /// the direction of the axis.
     fn around(matrix: &Matrix, across: Number) -> Option<Self> {
         let rest = |i: usize, k: usize| {
             if i == k {
@@ -137,8 +137,8 @@ pub fn scaled(vector: &[Number; 3]) -> ([Number; 3], Number) {
     (ratios, largest)
 }
 
-/// The repeated eigenvalue of a non-diagonal matrix, if it has one: the remainder of the
-/// diagonal of `lambda 1 + delta n n` after subtracting
+/// The repeated eigenvalue of a non-diagonal matrix, if it has one. Such a matrix is
+/// `lambda 1 + delta n n`, so lambda is what remains of the diagonal after subtracting
 /// `delta n_i^2 = (delta n_i n_j) (delta n_k n_i) / (delta n_j n_k)`.
 fn repeated(matrix: &Matrix) -> Option<Number> {
     let product = |i: usize, j: usize| &matrix[i][j];
@@ -153,8 +153,8 @@ fn repeated(matrix: &Matrix) -> Option<Number> {
             let [x, y, z] = [lambda(0)?, lambda(1)?, lambda(2)?];
             (x == y && y == z).then_some(z)
         }
-        // n lies in a coordinate plane, and across is about its normal: the rest of the block is
-        // singular
+        // n lies in a coordinate plane, and `across` belongs to the normal of that plane: the rest
+        // of the block is singular
         [false, true, true] | [true, false, true] | [true, true, false] => {
             let i = zeros.iter().position(|zero| !zero)?;
             let (j, k) = ((i + 1) % 3, (i + 2) % 3);
@@ -171,8 +171,8 @@ fn repeated(matrix: &Matrix) -> Option<Number> {
     }
 }
 
-/// Rotates pairs of axes so that the product between them vanishes, by at most 45 degrees
-/// each, until none remains.
+/// Rotates pairs of axes, each by at most 45 degrees, so that the product of inertia between them
+/// vanishes, until none remains.
 fn jacobi(matrix: &Matrix) -> PrincipalAxes {
     let mut j = [0, 1, 2].map(|i| [0, 1, 2].map(|k| matrix[i][k].to_float(WORKING)));
     let mut axes =
@@ -205,8 +205,8 @@ fn jacobi(matrix: &Matrix) -> PrincipalAxes {
     nearest(&[x, y, z].map(measured), &axes)
 }
 
-/// An eigenvector n with its exact properties: a component that is zero, and two that are equal up
-/// to their sign.
+/// An eigenvector n with what is known exactly about it: a component that is zero, and two
+/// components that are equal up to sign.
 fn related(matrix: &Matrix, mut n: [Number; 3]) -> [Number; 3] {
     let is_small = |number: &Number| number.abs() < Number::power_of_two(-SMALL);
     for i in 0..3 {
@@ -217,7 +217,7 @@ fn related(matrix: &Matrix, mut n: [Number; 3]) -> [Number; 3] {
             if is_small(&n[i]) {
                 n[i] = Number::zero();
             }
-            // for a block [[a, b], [b, a]], they are (1, 1) and (1, -1)
+            // the eigenvectors of a block [[a, b], [b, a]] are (1, 1) and (1, -1)
             if n[i].is_zero() && to_j == to_k && is_equal && !is_small(&n[j]) {
                 let opposite = n[j].is_negative() != n[k].is_negative();
                 n[k] = if opposite {
@@ -227,12 +227,12 @@ fn related(matrix: &Matrix, mut n: [Number; 3]) -> [Number; 3] {
                 };
             }
         } else if !is_small(&n[i]) {
-            // J is unchanged if j and k change places, and so is n
+            // exchanging j and k, up to sign, leaves J unchanged, and so n
             if is_equal && !is_small(&n[j]) {
                 n[k] = (to_k.clone() / to_j.clone()) * n[j].clone();
             }
         } else if let Some(ratio) = zero_component(matrix, i)
-            // and not one across it
+            // n must be this eigenvector, not one perpendicular to it
             && is_small(&(n[k].clone() - n[j].clone() * ratio.clone()))
         {
             n[i] = Number::zero();
@@ -243,7 +243,7 @@ fn related(matrix: &Matrix, mut n: [Number; 3]) -> [Number; 3] {
 }
 
 /// `n_k / n_j` of an eigenvector with `n_i = 0`, if there is one and i is not itself a principal
-/// axis: `(J n)_i = 0` leaves it one direction.
+/// axis: `(J n)_i = 0` leaves only one direction.
 fn zero_component(matrix: &Matrix, i: usize) -> Option<Number> {
     let (j, k) = ((i + 1) % 3, (i + 2) % 3);
     let ratio = (-matrix[i][j].clone()).checked_div(&matrix[i][k])?;
@@ -282,7 +282,7 @@ fn magnitude(a: Float) -> Float {
     if a < Float::ZERO { -a } else { a }
 }
 
-/// The columns `a` and `b` of a row, rotated.
+/// Rotates the entries `a` and `b` of a row.
 fn turn(row: &mut [Float; 3], a: usize, b: usize, cosine: &Float, sine: &Float) {
     let (x, y) = (row[a].clone(), row[b].clone());
     row[a] = cosine * &x - sine * &y;
@@ -294,8 +294,8 @@ fn transposed([x, y, z]: [[Float; 3]; 3]) -> [[Float; 3]; 3] {
     [[a, d, g], [b, e, h], [c, f, i]]
 }
 
-/// Assigns each axis to the nearest coordinate axis, and orients it that way;
-/// the least certain of them is reversed if necessary, so that they are right-handed.
+/// Assigns each axis to the nearest coordinate axis and makes it point that way. If they are then
+/// left-handed, the one whose direction is least certain is reversed.
 fn nearest(moments: &[Number; 3], axes: &[[Number; 3]; 3]) -> PrincipalAxes {
     const ORDERS: [[usize; 3]; 6] = [
         [0, 1, 2],

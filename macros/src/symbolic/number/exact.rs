@@ -1,8 +1,8 @@
 //! Numbers of a description: exact rationals, from the token to the single rounding.
 //!
 //! Sums, products and quotients of literals are exact. An irrational number carries its value, an
-//! error bound, and the identities that define it ([`super::irrational`]): it is zero, or
-//! another rational, only by proof, never because it is small.
+//! error bound, and the identities that define it ([`super::irrational`]). It counts as zero, or as
+//! a rational number, only if that is proved, never because a difference is small.
 
 use core::cell::RefCell;
 use std::rc::Rc;
@@ -16,41 +16,41 @@ use super::float::Float;
 use super::function::Function;
 use super::residue::Residue;
 
-/// Decimal exponents beyond which a literal is refused before any number is built.
+/// Literals with larger decimal exponents are rejected before any number is built.
 const DECIMAL_EXPONENTS: i64 = 5000;
-/// Bits beyond which a number is not carried at all.
+/// Numbers with more bits are not kept at all.
 const SIZE: usize = 1 << 16;
 
-/// A rational number, or a rational near an irrational number.
+/// A rational number, or a rational number near an irrational one.
 #[derive(Clone, Debug)]
 pub struct Number {
     pub(in crate::symbolic) value: RBig,
     pub(in crate::symbolic) kind: Kind,
 }
 
-/// The meaning of the value of a number.
+/// What the value of a number stands for.
 #[derive(Clone, Debug)]
 pub(in crate::symbolic) enum Kind {
     /// The number itself.
     Rational,
-    /// Near a number that is defined by other means.
+    /// A number near the value, which is defined by its [`Term`].
     Irrational(Rc<Irrational>),
 }
 
-/// The definition of a number beyond its value.
+/// What defines an irrational number beyond its value.
 #[derive(Debug)]
 pub(in crate::symbolic) struct Irrational {
     pub residue: Residue,
-    /// The error of its value is below 2 to this power.
+    /// The error of the value is below 2 to this power.
     pub error: isize,
     pub term: Term,
-    /// The number of operations to compute it again.
+    /// The number of operations that computing it again takes.
     pub cost: usize,
-    /// Its computed values, each with its number of bits.
+    /// The values computed so far, each with its number of bits.
     pub again: RefCell<Vec<(usize, Option<Ball>)>>,
 }
 
-/// The way to compute a number with more bits.
+/// How to compute a number with more bits.
 #[derive(Clone, Debug)]
 pub enum Term {
     Pi,
@@ -58,7 +58,7 @@ pub enum Term {
     Product(Number, Number),
     Quotient(Number, Number),
     Value(Function, Number),
-    /// None: it is as accurate as possible.
+    /// There is no way: it is as accurate as it can be.
     Kept,
 }
 
@@ -75,7 +75,7 @@ impl Number {
         Self::from(RBig::from(value))
     }
 
-    /// `numerator / denominator`; the denominator is not zero.
+    /// `numerator / denominator`; the denominator must not be zero.
     pub fn ratio(numerator: i64, denominator: u64) -> Self {
         Self::from(RBig::from_parts(
             IBig::from(numerator),
@@ -148,7 +148,7 @@ impl Number {
         self.value.sign() == Sign::Positive && !self.is_zero()
     }
 
-    /// The integer that this number is, if it is a small one.
+    /// The number as an integer, if it is a small one.
     pub fn to_integer(&self) -> Option<i64> {
         (self.value.is_int() && !self.is_rounded())
             .then(|| i64::try_from(self.value.numerator().clone()).ok())
@@ -183,12 +183,12 @@ impl Number {
         self.value.to_f64().value()
     }
 
-    /// The nearest number of single precision; infinite beyond their range.
+    /// The nearest number of single precision; infinite beyond the range of single precision.
     pub fn to_f32(&self) -> f32 {
         self.value.to_f32().value()
     }
 
-    /// Whether the nearest double is finite, and zero only if the number is.
+    /// Whether the nearest double is finite, and is zero only if the number is.
     pub fn fits_f64(&self) -> bool {
         let nearest = self.to_f64();
         nearest.is_finite() && (nearest != 0.0 || self.is_zero())
@@ -208,7 +208,7 @@ impl Number {
         self.value.to_float(bits).value()
     }
 
-    /// Whether the number is still small enough to be carried along.
+    /// Whether the number is small enough to be kept.
     pub fn is_carried(&self) -> bool {
         self.bits() < SIZE
     }

@@ -1,17 +1,17 @@
-//! Functions that are unknown here, each represented by a number.
+//! Foreign functions: defined outside the description, unknown here, each represented by a number.
 
-/// A function from outside, or one of its derivatives.
+/// A foreign function, or one of its derivatives.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Foreign(u32);
 
-/// The number of bits that count the differentiations by one argument.
+/// The bits that count how often the function is differentiated with respect to one argument.
 const BITS: u32 = 4;
 const MOST: u32 = (1 << BITS) - 1;
 
 impl Foreign {
-    /// The largest number of arguments.
+    /// The most arguments of a function.
     pub const ARGUMENTS: usize = 3;
-    /// The largest number of functions, limited by [`Self::word`].
+    /// The most functions: limited by [`Self::word`].
     pub const COUNT: usize = 1 << (24 - 3 * BITS);
 
     /// The function with this index.
@@ -19,8 +19,8 @@ impl Foreign {
         Self(u32::try_from(number).unwrap_or(0) << (3 * BITS))
     }
 
-    /// Its derivative by one argument; the order of differentiations does not matter. More than
-    /// `MOST` are not distinguished: none of so many is ever given.
+    /// Its derivative with respect to one argument; the order of differentiations does not matter.
+    /// Orders above `MOST` are not distinguished: derivatives of such orders are never given.
     pub fn by(self, argument: usize) -> Self {
         let place = BITS * u32::try_from(argument).unwrap_or(0);
         let is_full = self.0 >> place & MOST == MOST;
@@ -40,12 +40,12 @@ impl Foreign {
         (self.0 >> (3 * BITS)) as usize
     }
 
-    /// The number of differentiations by each argument.
+    /// How often it is differentiated with respect to each argument.
     pub fn orders(self) -> [u32; Self::ARGUMENTS] {
         [0, BITS, 2 * BITS].map(|place| self.0 >> place & MOST)
     }
 
-    /// All of it, in 24 bits.
+    /// The function and its orders, in 24 bits.
     pub fn word(self) -> u32 {
         self.0
     }

@@ -30,7 +30,7 @@ pub enum Function {
     Table,
 }
 
-/// More than a table is differentiated.
+/// More orders of derivatives than any table needs.
 pub const ORDERS: i64 = 8;
 
 impl Function {
@@ -74,7 +74,7 @@ impl Function {
             .map_or("table", |(name, _)| name)
     }
 
-    /// Whether it is one expression here and another one there.
+    /// Whether different expressions hold for different arguments.
     pub fn is_piecewise(self) -> bool {
         matches!(
             self,
@@ -88,7 +88,7 @@ impl Function {
         )
     }
 
-    /// Number of arguments, the receiver included.
+    /// The number of arguments, including the receiver.
     pub fn arity(self) -> usize {
         match self {
             Self::Atan2 | Self::Powf | Self::Hypot | Self::Min | Self::Max | Self::Table => 2,

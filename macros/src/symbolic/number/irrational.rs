@@ -1,12 +1,11 @@
 //! Numbers that are not rational: a value, a bound of its error, and a residue that proves
 //! identities.
-//!
 //! The residue is computed along with the value, modulo a prime. Pi and the values of functions
 //! have random residues, up to `sin^2 + cos^2 = 1`. The root of a rational number is the product of
-//! the roots of its primes, whose signs no identity distinguishes. So a residue of zero proves that
-//! a number is zero, by an identity in all of these, except with probability 2^-100; and only if
-//! its value may be zero, too. A value that has cancelled down to its error, and is not proved to
-//! be zero, is computed again with more bits.
+//! the roots of its prime factors, whose signs no identity distinguishes. A number is zero if its
+//! residue is zero and its value may be: its residue is zero by an identity in all of these, except
+//! with probability 2^-100. A value that has cancelled down to its error, without being proved
+//! zero, is computed again with more bits.
 
 use core::cell::RefCell;
 use std::rc::Rc;
@@ -20,19 +19,19 @@ use super::float::{Float, PRECISION};
 use super::function::Function;
 use super::residue::Residue;
 
-/// Bits of numerator and denominator beyond which an exact number is rounded to [`PRECISION`].
+/// An exact number with more bits in numerator and denominator is rounded to [`PRECISION`].
 const EXACT: usize = 1 << 13;
-/// The same for a number that is rounded already, and the bits that are kept of it.
+/// The same for a number that is rounded already, and the bits of it that are kept.
 const ROUNDED: usize = 1 << 11;
 const KEPT: usize = 1 << 9;
-/// Correct bits of a value; with fewer, it is computed again.
+/// A value with fewer correct bits is computed again.
 const ENOUGH: isize = 128;
-/// Bits with which it is.
+/// The bits that it is computed with, one after another until they suffice.
 const MORE: [usize; 4] = [512, 1024, 2048, 4096];
-/// Operations that are done again, at most.
+/// The most operations that are repeated.
 const COST: usize = 200;
 
-/// The cost of a quotient whose divisor may be zero.
+/// The exponent of the error of a quotient whose divisor may be zero: nothing is known about it.
 const UNKNOWN: isize = 1 << 15;
 
 impl Term {
@@ -44,7 +43,7 @@ impl Term {
         }
     }
 
-    /// Whether more bits of its arguments may give more bits of it.
+    /// Whether its value can become more accurate with more bits of its operands.
     fn may_gain(&self) -> bool {
         match self {
             Self::Pi => true,
@@ -58,7 +57,7 @@ impl Term {
         }
     }
 
-    /// Its value, from this many bits of its arguments.
+    /// Its value, computed with this many bits of its operands.
     fn ball(&self, bits: usize) -> Option<Ball> {
         let exact = match self {
             Self::Pi => return Ball::of_float(Float::pi(bits), NONE, bits),
@@ -78,7 +77,7 @@ impl Number {
         Self::settled(Term::Pi.ball(PRECISION), residue, Term::Pi).unwrap_or_else(Self::zero)
     }
 
-    /// A value that is correct to this many bits, without any other property.
+    /// A value that is correct to this many bits, and of which nothing else is known.
     pub(in crate::symbolic) fn measured(value: Float, bits: usize) -> Self {
         let ball = Ball::of_float(value, NONE, bits);
         let residue = ball
@@ -98,7 +97,7 @@ impl Number {
         Self::settled(near, residue, Term::Value(function, x.clone()))
     }
 
-    /// The argument of a function.
+    /// The argument, if this number is a value of this function.
     pub(in crate::symbolic) fn argument(&self, of: Function) -> Option<&Self> {
         match &self.known()?.term {
             Term::Value(function, argument) if *function == of => Some(argument),
@@ -147,8 +146,9 @@ impl Number {
         Self::settled(Some(near), residue, term).unwrap_or_else(|| Self::from(value))
     }
 
-    /// A number near to a value: zero, or another rational, if that is proved; else with digits
-    /// that are right, if they can be had. `None` without a value.
+    /// The number near a value: zero or another rational number, if that is proved; otherwise
+    /// irrational, with enough correct digits where they can be computed. `None` if there is no
+    /// value.
     fn settled(mut near: Option<Ball>, mut residue: Residue, term: Term) -> Option<Self> {
         if let Some(ball) = &near
             && residue == Residue::ZERO
@@ -177,7 +177,7 @@ impl Number {
             return Some(rational);
         }
         if ball.may_be_zero() {
-            // nobody knows, and it may be as large as this, and of either sign
+            // nothing is known but this bound: the number may have either sign
             ball.value = power_of_two(ball.error);
             ball.error += 4;
         }
@@ -201,7 +201,7 @@ impl Number {
         }
     }
 
-    /// Gives up digits where there are out of all proportion.
+    /// Drops digits if there are far too many.
     pub(in crate::symbolic) fn condensed(self) -> Self {
         let (most, kept) = if self.is_rounded() {
             (ROUNDED, KEPT)
@@ -223,7 +223,7 @@ impl Number {
         }
     }
 
-    /// Whether it cannot be told from zero, nor proved to be zero.
+    /// Whether it can neither be distinguished from zero nor proved to be zero.
     pub fn is_undecided(&self) -> bool {
         self.known().is_some() && self.stored().may_be_zero()
     }
@@ -244,7 +244,7 @@ impl Number {
         }
     }
 
-    /// Modulo the prime of the test for zeros; equal numbers have equal residues.
+    /// The residue modulo the prime of the test for zeros; equal numbers have equal residues.
     pub fn residue(&self) -> Residue {
         match self.known() {
             Some(known) => known.residue,
@@ -267,13 +267,14 @@ impl Number {
         }
     }
 
-    /// Whether it may be had with more bits: not if none were enough to tell it from zero.
+    /// Whether more bits of it can be computed: not if even all of them did not distinguish it from
+    /// zero.
     fn may_gain(&self) -> bool {
         (self.known())
             .is_some_and(|known| !matches!(known.term, Term::Kept) && !self.stored().may_be_zero())
     }
 
-    /// Its value to this many bits, or the most accurate one that is available.
+    /// Its value to this many bits, or the most accurate one that can be computed.
     fn ball(&self, bits: usize) -> Ball {
         let stored = Ball::rounded(&self.value, self.error(), bits);
         match self.known() {
@@ -289,7 +290,7 @@ impl Number {
 }
 
 impl Irrational {
-    /// Its value from this many bits, computed once.
+    /// Its value, computed with this many bits; remembered.
     fn again(&self, bits: usize) -> Option<Ball> {
         let known = self.again.borrow();
         if let Some((_, ball)) = known.iter().find(|(known, _)| *known == bits) {
@@ -302,8 +303,8 @@ impl Irrational {
     }
 }
 
-/// The residue of the root of a positive rational number. What its primes are is looked for among
-/// small ones; of the rest nothing is known but that it is the same for equal numbers.
+/// The residue of the root of a positive rational number. Only small prime factors are looked for;
+/// all that is known of the rest is that equal numbers have equal residues.
 pub fn root_residue(of: &Number) -> Option<Residue> {
     let (above, below) = (of.value.numerator(), of.value.denominator());
     let mut rest = u128::try_from(above * IBig::from(below.clone())).ok()?;

@@ -1,4 +1,4 @@
-//! Exact numbers, those that are not rational, residues modulo a prime, and eigenvalues.
+//! Exact numbers, irrational numbers, residues modulo a prime, and eigenvalues.
 
 mod arithmetic;
 mod ball;

@@ -11,14 +11,14 @@ impl Residue {
         Some(above * below.reciprocal()?).filter(|_| !is_lost)
     }
 
-    /// The rational number of few digits that it is.
+    /// The rational number with few digits that has this residue, if there is one.
     pub fn to_number(self) -> Option<Number> {
         let Residue { real, imaginary: 0 } = self else {
             return None;
         };
         let rest = i128::try_from(real.min(minus(real))).ok()?;
         let (mut last, mut number) = ((i128::try_from(PRIME).ok()?, 0), (rest, 1));
-        // a fraction of its convergents is the number over its denominator
+        // the fraction is one of the convergents of the continued fraction
         while number.0 >= DIGITS {
             let quotient = last.0 / number.0;
             (last, number) = (

@@ -3,14 +3,14 @@
 use core::ops::{Add, Mul, Neg};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// A Mersenne prime. -1 has no root, and one of `a` and `-a` has one.
+/// A Mersenne prime. Modulo it, -1 has no square root; of a nonzero `a` and `-a`, exactly one has.
 pub const PRIME: u128 = (1 << 127) - 1;
 
-/// Bound of a numerator and of a denominator that a residue determines: one residue in 2^62 has
-/// such a pair by chance.
+/// The bound of numerator and denominator below which a residue determines a fraction. By chance,
+/// one residue in 2^62 has such a fraction.
 pub const DIGITS: i128 = 1 << 32;
 
-/// `real + imaginary i`, both modulo the prime: numbers among which all that are real have roots.
+/// `real + imaginary i`, both modulo the prime. Among these numbers, every real one has a root.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Residue {
     pub real: u128,
@@ -39,7 +39,7 @@ impl Residue {
         self == Self::ZERO
     }
 
-    /// The same one for `a` and `-a`, and whether it is the opposite of this one.
+    /// The same residue for `a` and `-a`, and whether it is the negative of this one.
     pub(in crate::symbolic) fn unsigned(self) -> (Self, bool) {
         let opposite = -self;
         let key = |a: &Self| (a.real, a.imaginary);
@@ -50,7 +50,7 @@ impl Residue {
         }
     }
 
-    /// `a^(PRIME - 2)` of a real number that is not zero: its reciprocal.
+    /// The reciprocal of a nonzero real number, `a^(PRIME - 2)`.
     fn inverse(a: u128) -> u128 {
         // a^(2^count - 1), by doubling the count or adding one to it, up to 125
         let (mut power, mut count) = (a, 1);
@@ -81,7 +81,7 @@ impl Residue {
         })
     }
 
-    /// The real root of a real number, if it has one: `a^((PRIME + 1) / 4)`.
+    /// The real root of a real number, `a^((PRIME + 1) / 4)`, if it has one.
     fn real_root(a: u128) -> Option<u128> {
         let root = squared(a, 125);
         (times(root, root) == a).then_some(root)
@@ -110,7 +110,7 @@ impl Residue {
     }
 }
 
-/// The number, squared this many times.
+/// `a`, squared this many times.
 fn squared(a: u128, count: u32) -> u128 {
     (0..count).fold(a, |power, _| times(power, power))
 }

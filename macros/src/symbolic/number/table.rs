@@ -5,15 +5,15 @@ use super::exact::Number;
 /// A function of one number.
 #[derive(Clone)]
 pub struct Table {
-    /// The first one holds below its start, too.
+    /// The pieces in order; the first one also holds below its start.
     pub pieces: Vec<Piece>,
 }
 
-/// A polynomial from a number on.
+/// A polynomial that holds from `start` on.
 #[derive(Clone)]
 pub struct Piece {
     pub start: Number,
-    /// The factors of the powers of the distance from the start.
+    /// The coefficients of the powers of the distance from the start.
     pub coefficients: Vec<Number>,
 }
 
@@ -31,7 +31,7 @@ impl Piece {
 pub type Knot = (Number, Number);
 
 impl Table {
-    /// Straight lines from each knot to the next; `None` if two are at one place.
+    /// Straight lines from each knot to the next; `None` if two knots are at the same place.
     pub fn linear(knots: &[Knot], is_extrapolated: bool) -> Option<Self> {
         let pieces = knots.windows(2).map(|pair| {
             let [(start, value), (end, next)] = pair else {
@@ -57,8 +57,8 @@ impl Table {
     }
 
     /// The slopes of monotone cubics (Fritsch and Carlson, Monotone Piecewise Cubic Interpolation,
-    /// SIAM J. Numer. Anal. 17, 1980, 238): that of the parabola through three knots, at most three
-    /// times that of either adjacent line.
+    /// SIAM J. Numer. Anal. 17, 1980, 238): the slope of the parabola through three knots, limited
+    /// to three times that of either adjacent line.
     pub fn slopes(knots: &[Knot]) -> Option<Vec<Number>> {
         let lines = lines(knots)?;
         let slopes = (0..knots.len()).map(|knot| slope_at(&lines, knot));
@@ -91,7 +91,7 @@ impl Table {
         ))
     }
 
-    /// Beyond the knots the values at the ends, or the polynomials there.
+    /// Beyond the knots, holds the values at the ends or continues the polynomials there.
     fn held(mut pieces: Vec<Piece>, knots: &[Knot], is_extrapolated: bool) -> Self {
         if !is_extrapolated {
             let ends = [knots.first(), knots.last()];
@@ -128,7 +128,7 @@ impl Table {
         })
     }
 
-    /// Piece by piece.
+    /// The derivative of this order, piece by piece.
     pub fn derivative(&self, order: usize) -> Self {
         let mut pieces = self.pieces.clone();
         for _ in 0..order {
@@ -145,7 +145,7 @@ impl Table {
     }
 }
 
-/// The lines from each knot to the next: width and slope.
+/// The width and the slope of the line from each knot to the next.
 fn lines(knots: &[Knot]) -> Option<Vec<(Number, Number)>> {
     let lines = knots.windows(2).map(|pair| {
         let width = pair[1].0.clone() - pair[0].0.clone();
@@ -155,7 +155,7 @@ fn lines(knots: &[Knot]) -> Option<Vec<(Number, Number)>> {
     lines.collect()
 }
 
-/// The slope at a knot, from the widths and slopes of both adjacent lines.
+/// The slope at a knot, from the widths and slopes of the two adjacent lines.
 fn slope_at(lines: &[(Number, Number)], knot: usize) -> Option<Number> {
     let before = knot.checked_sub(1).and_then(|place| lines.get(place));
     let (slope, beside) = match (before, lines.get(knot)) {
@@ -183,7 +183,7 @@ fn slope_at_end((h, d): &(Number, Number), next: Option<&(Number, Number)>) -> O
     Some(d.clone() + change.checked_div(&(h.clone() + k.clone()))?)
 }
 
-/// A slope with the sign of that of a line, and at most three times as steep.
+/// A slope limited to the sign of that of a line and to three times its steepness.
 fn limited(slope: Number, line: &Number) -> Number {
     let most = Number::integer(3) * line.clone();
     let is_against = slope.is_negative() != line.is_negative();

@@ -1,4 +1,5 @@
-//! The values of functions at numbers: exact where they are rational, else known by identities.
+//! The values of functions at numbers: exact where they are rational, otherwise known by
+//! identities.
 
 use dashu_ratio::RBig;
 
@@ -8,13 +9,13 @@ use super::function::Function;
 use super::irrational::root_residue;
 use super::residue::Residue;
 
-/// Whole exponents that are powers; beyond, they are exponentials.
+/// Powers with integer exponents up to this one are multiplied out; others are exponentials.
 const POWERS: i64 = 1 << 10;
-/// Exponentials of less are numbers too long to carry.
+/// The exponential of the negative of a larger number has too many digits to be kept.
 const SMALLEST: i64 = 10_000;
-/// Bits in which the hyperbolic tangent of more is one.
+/// The bits to which the hyperbolic tangent of a larger number is one.
 const ENDLESS: usize = 1 << 14;
-/// Roots that may be rational.
+/// The highest degree of roots that are tried for a rational value.
 const ROOTS: usize = 12;
 
 impl Number {
@@ -46,12 +47,12 @@ impl Number {
             Function::Atan => x.atan(),
             Function::Atan2 => x.atan2(second()?),
             Function::Sinh | Function::Cosh | Function::Tanh => x.hyperbolic(function),
-            // its numbers are not known here
+            // the table is not known here
             Function::Table => None,
         }
     }
 
-    /// The largest whole number that is certainly not above.
+    /// The largest integer that is certainly not above the number.
     fn floor(&self) -> Self {
         let near = Self::from(RBig::from(self.value.round()));
         if (self.clone() - near.clone()).is_negative() {
@@ -84,7 +85,7 @@ impl Number {
             .or_else(|| Self::value_of(Function::Cbrt, self, None))
     }
 
-    /// As that of `f64`: of negative numbers there are whole powers alone.
+    /// A power as for `f64`: negative numbers have powers with integer exponents only.
     fn powf(&self, exponent: &Self) -> Option<Self> {
         if exponent.is_zero() || self.is_one() {
             return Some(Self::one());
@@ -119,7 +120,7 @@ impl Number {
         !self.is_rounded() && self.value.is_int()
     }
 
-    /// Whether its exponential is not far beyond the range of doubles, nor too long a number.
+    /// Whether its exponential is neither far beyond the range of doubles nor too long a number.
     pub(in crate::symbolic) fn has_exponential(&self) -> bool {
         *self < Self::integer(1000) && *self > Self::integer(-SMALLEST)
     }
@@ -179,8 +180,7 @@ impl Number {
         Some(twice / Self::integer(2))
     }
 
-    /// `(1 - e^-2x) / (1 + e^-2x)`; one, as far as anybody will see, where that is too long a
-    /// number.
+    /// `(1 - e^-2x) / (1 + e^-2x)`; one to [`ENDLESS`] bits where `e^-2x` has too many digits.
     fn tanh(&self) -> Option<Self> {
         let Some(decayed) = (Self::integer(-2) * self.clone()).exp() else {
             return Some(Self::measured(Float::ONE, ENDLESS));
@@ -188,7 +188,7 @@ impl Number {
         (Self::one() - decayed.clone()).checked_div(&(Self::one() + decayed))
     }
 
-    /// Its ratio to pi, if that is a ratio of small numbers, or a number of twelfths.
+    /// The number divided by pi, if that is a ratio of small numbers or a multiple of a twelfth.
     fn half_turns(&self) -> Option<Self> {
         let is_equal = |turns: &Self| (turns.clone() * Self::pi() - self.clone()).is_zero();
         let small = (self.residue() * Self::pi().residue().reciprocal()?).to_number();
@@ -217,7 +217,7 @@ impl Number {
         }
     }
 
-    /// Sine and cosine of an angle, by the tangent of half of it.
+    /// The sine or cosine of an angle, by the tangent of half the angle.
     fn on_circle(&self, function: Function) -> Option<Self> {
         let tangent = Residue::stand_in(&(Function::Tan, self.residue()));
         let square = tangent * tangent;
@@ -258,7 +258,7 @@ impl Number {
         Self::value_of(Function::Atan, self, None)
     }
 
-    /// The angle of `(x, self)`; that of the origin is zero, as it is of `f64`.
+    /// The angle of the point `(x, self)`; that of the origin is zero, as for `f64`.
     fn atan2(&self, x: &Self) -> Option<Self> {
         if x.is_zero() {
             let right = right_angle();

@@ -1,11 +1,11 @@
-//! Convolutions gathered into sums. Where coefficients are linear in convolutions that nothing else
-//! reads,
+//! Convolutions gathered into sums. Consider coefficients that are linear in convolutions that
+//! nothing else reads,
 //!
 //! ```text
 //! z[n] = w1 (a * b) + w2 (c * d) + .. + rest
 //! ```
 //!
-//! with weights that are constant along a step, the convolutions of one level form one sum, which
+//! with weights that are constant along a step. Their convolutions of one level form one sum, which
 //! is computed in one lane. Terms that are linear in coefficients are added there too.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -18,10 +18,10 @@ pub const LANES: usize = 8;
 /// A convolution of two series.
 #[derive(Clone, Copy, Debug)]
 pub struct Product {
-    /// The expression for which it was written.
+    /// The expression that it was written for.
     pub of: Id,
     pub level: usize,
-    /// The symbol of its value.
+    /// The symbol that stands for its value.
     pub value: Id,
     pub factors: [Factor; 2],
 }
@@ -40,21 +40,21 @@ pub struct Factor {
 pub struct Sum {
     pub of: Origin,
     pub level: usize,
-    /// The symbol of its value.
+    /// The symbol that stands for its value.
     pub value: Id,
     pub terms: Vec<Term>,
-    /// Added coefficients, with their weights, which are constant along a step.
+    /// Coefficients that are added, with weights that are constant along a step.
     pub linear: Vec<(Id, Id)>,
 }
 
-/// The target of a sum.
+/// What a sum is computed for.
 #[derive(Clone, Copy, Debug)]
 pub enum Origin {
-    /// The rate of a coordinate, by its place.
+    /// The rate of the coordinate with this index.
     Rate(usize),
     /// The coefficient of a quotient or a function.
     Result(Id),
-    /// An expression that a convolution was written for.
+    /// The expression that a convolution was written for.
     Product(Id),
 }
 
@@ -69,11 +69,11 @@ pub struct Term {
 pub(in crate::symbolic) struct Readers<'r> {
     pub rates: &'r mut Vec<Id>,
     pub results: &'r mut Vec<(Id, Id)>,
-    /// The symbols that change from order to order, besides the convolutions.
+    /// The symbols that change from order to order, except those of convolutions.
     pub symbols: Vec<Id>,
 }
 
-/// Products by their places, and added terms, with weights.
+/// A sum of products, given by their indices, and of other terms, all with weights.
 struct Weighted {
     level: usize,
     terms: Vec<(Id, usize)>,
@@ -93,7 +93,7 @@ impl Weighted {
 }
 
 impl Graph {
-    /// The sums that are read; the readers are rewritten in terms of them.
+    /// The sums that are read. The readers are rewritten in terms of them.
     pub(in crate::symbolic) fn gathered(
         &mut self,
         products: &[Product],
@@ -156,8 +156,8 @@ impl Graph {
         }
     }
 
-    /// The terms added to a sum: returned if they are linear in coefficients, the rest goes into
-    /// `whole`.
+    /// The terms added to a sum. Those that are linear in coefficients are returned, the others are
+    /// added to `whole`.
     fn added(
         &mut self,
         rest: Vec<(Id, Id)>,
@@ -204,8 +204,9 @@ impl Graph {
         }
     }
 
-    /// One sum for each coordinate, if there are products and everything that changes is a sum or
-    /// linear in coefficients: these rates are computed side by side. Otherwise the sums unchanged.
+    /// One sum for each coordinate, so that their rates are computed side by side. This is possible
+    /// if there are products and everything that changes is a sum or linear in coefficients;
+    /// otherwise the sums are returned unchanged.
     fn all_rates(
         &mut self,
         rates: &mut [Id],
@@ -238,7 +239,7 @@ impl Graph {
         all
     }
 
-    /// An expression as a sum of symbols with constant weights, if it is one: the weights contain
+    /// An expression as a sum of symbols with constant weights, if it is one. The weights contain
     /// neither these symbols nor `values`, the symbols of sums.
     fn linear_in(&mut self, id: Id, symbols: &[Id], values: &HashSet<Id>) -> Option<Vec<(Id, Id)>> {
         let zero = self.zero();
@@ -263,7 +264,7 @@ impl Graph {
         self.is_zero(rest).then_some(terms)
     }
 
-    /// `roots`, with some expressions replaced.
+    /// `roots`, with the keys of `written` replaced by its values.
     fn rewritten(&mut self, roots: &[Id], written: &HashMap<Id, Id>) -> Vec<Id> {
         self.rebuild(roots, |graph, id, image| {
             let known = written.get(&id).copied();
@@ -271,7 +272,7 @@ impl Graph {
         })
     }
 
-    /// The largest sums that are read, by their readers.
+    /// The largest sums that are read, by the expressions that they compute.
     fn weighted(
         &mut self,
         products: &[Product],
@@ -286,8 +287,8 @@ impl Graph {
         let values = products
             .iter()
             .map(|product| (product.value, product.level + 1));
-        // the expressions that change from order to order, with the number of convolutions before
-        // them
+        // the expressions that change from order to order, with the number of convolutions that
+        // must precede them
         let mut levels: HashMap<Id, usize> = coefficients.chain(values).collect();
         let order = self.reachable(roots, |_| true);
         let readers = self.readers(&order, roots);
@@ -312,8 +313,8 @@ impl Graph {
             let Some(parts) = self.weighted_parts(&node, |part| !levels.contains_key(&part)) else {
                 continue;
             };
-            // terms with the most convolutions before them are gathered, unless they are read
-            // elsewhere; the rest is added
+            // the terms that most convolutions must precede are gathered, unless they are also read
+            // elsewhere; the others are added
             let gathered = |part: &Id| found.contains_key(part) && readers.get(part) == Some(&1);
             let is_late = |part: &Id| levels.get(part) == Some(&waits);
             let mut late = parts.iter().filter(|(_, part)| is_late(part));
@@ -353,7 +354,7 @@ impl Graph {
         }
     }
 
-    /// The number of times that each expression is read.
+    /// How often each expression is read.
     fn readers(&self, order: &[Id], roots: &[Id]) -> HashMap<Id, usize> {
         let mut readers = HashMap::new();
         let operands = order.iter().flat_map(|id| self.node(*id).operands());

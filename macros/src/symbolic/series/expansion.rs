@@ -6,7 +6,7 @@ use crate::symbolic::number::Function;
 use super::convolution::{Factor, Product, Readers};
 use super::recurrences::{Polynomial, Recurrences};
 
-/// Recurrences while they are written.
+/// Recurrences that are being written.
 pub(in crate::symbolic) struct Expansion<'g> {
     pub(in crate::symbolic) graph: &'g mut Graph,
     pub(in crate::symbolic) number: Id,
@@ -17,7 +17,7 @@ pub(in crate::symbolic) struct Expansion<'g> {
     pub(in crate::symbolic) moves: Vec<bool>,
     pub(in crate::symbolic) results: Vec<(Id, Id)>,
     pub(in crate::symbolic) products: Vec<Product>,
-    /// Factors that were not known when their product was written.
+    /// Factors that were not known when their products were written.
     pub(in crate::symbolic) pending: Vec<(usize, usize, Series)>,
 }
 
@@ -25,9 +25,9 @@ pub(in crate::symbolic) struct Expansion<'g> {
 #[derive(Clone, Copy)]
 pub(in crate::symbolic) enum Series {
     Plain(Id),
-    /// Without its start.
+    /// The series without its start.
     Tail(Id),
-    /// Times n.
+    /// The series with each coefficient multiplied by its order n.
     Rate(Id),
 }
 
@@ -104,7 +104,7 @@ impl Expansion<'_> {
         (sum, level + 1)
     }
 
-    /// A held factor is a number along the step, and so is the product of two of them.
+    /// A held factor is constant along the step, and so is the product of two of them.
     fn scaled(&mut self, held: Id, coefficient: Id) -> Id {
         let (held, coefficient) = match *self.graph.node(coefficient) {
             Node::Multiply(a, b) if self.is_held(a) => (self.graph.multiply(held, a), b),
@@ -187,7 +187,7 @@ impl Expansion<'_> {
         self.graph.multiply(self.inverse, sum)
     }
 
-    /// `(a[n] - (z' * w) / n) / w[0]`, where `a[n]` is given, or n times it.
+    /// `(a[n] - (z' * w) / n) / w[0]`, where `above` is `a[n]`, or `n a[n]` if it is a rate.
     fn divided(&mut self, id: Id, above: Id, level: usize, is_rate: bool) -> Id {
         let Some(companion) = self.graph.companion(id) else {
             return self.graph.zero();

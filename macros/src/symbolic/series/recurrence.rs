@@ -1,8 +1,8 @@
-//! Taylor series of a motion: the n-th coefficients of expressions, from those before.
+//! Taylor series of a motion: the n-th coefficients of expressions, from the preceding ones.
 //!
-//! A motion is a list of coordinates with their rates. A linear combination of series has the same
-//! combination of coefficients. Everything else has a recurrence in convolutions `sum_j a[j] b[n -
-//! j]`, from its differential equation:
+//! A motion is a list of coordinates with their rates. The coefficients of a linear combination of
+//! series are the same combination of coefficients. Everything else has a differential equation,
+//! from which follows a recurrence in convolutions `sum_j a[j] b[n - j]`:
 //!
 //! ```text
 //! z = a b:     z[n] = a * b
@@ -12,12 +12,12 @@
 //! w z' = a':   z[n] = (a[n] - (z' * w) / n) / w[0]
 //! ```
 //!
-//! with `a*` the series without its start, and `a'[j] = j a[j]`. Coefficients that are not known
+//! Here `a*` is the series without its start, and `a'[j] = j a[j]`. Coefficients that are not known
 //! yet are multiplied by zero. So all of these are convolutions of the same kind, and many can be
 //! computed side by side.
 //!
-//! In the code for order n, new symbols stand for n-th coefficients, and the expressions of the
-//! description for their values at the start.
+//! In the code for order n, new symbols stand for the n-th coefficients. The expressions of the
+//! description stand for their values at the start.
 
 use crate::symbolic::graph::{Graph, Id, Node, Stage};
 use crate::symbolic::number::Function;
@@ -26,7 +26,7 @@ use super::expansion::Expansion;
 use super::recurrences::{Coordinate, Polynomial, Recurrences};
 
 impl Graph {
-    /// The first place in `roots` where there is no Taylor series, if these symbols move.
+    /// The first expression in `roots` that has no Taylor series, if these symbols move.
     pub fn first_kink(&self, roots: &[Id], moving: &[Id]) -> Option<Id> {
         let order = self.differentiated(roots);
         let moves = self.moving(&order, moving);
@@ -97,8 +97,8 @@ impl Graph {
         expansion.finish(coefficients, polynomials, start)
     }
 
-    /// The parts of `roots` that are differentiated, children first: not the size that guards a
-    /// divisor.
+    /// The parts of `roots` that are differentiated, children first. The size that guards a divisor
+    /// is not among them.
     fn differentiated(&self, roots: &[Id]) -> Vec<Id> {
         let mut seen = std::collections::HashSet::new();
         let mut pending = roots.to_vec();
@@ -126,8 +126,8 @@ impl Graph {
         moves
     }
 
-    /// `roots` in operations that have a recurrence. Quantities are expanded, so that factors known
-    /// early come out of products.
+    /// `roots`, written with operations that have a recurrence. Quantities are expanded, so that
+    /// factors known early can be taken out of products.
     fn elementary(&mut self, roots: &[Id], symbols: &[Id]) -> Vec<Id> {
         let order = self.reachable(roots, |_| true);
         let moves = self.moving(&order, symbols);
@@ -169,7 +169,7 @@ impl Graph {
         }
     }
 
-    /// The w of `z' = w a'` or of `w z' = a'`, of a function z of a.
+    /// The w in `z' = w a'` or `w z' = a'`, for a function z of a.
     pub(in crate::symbolic) fn companion(&mut self, id: Id) -> Option<Id> {
         let one = self.one();
         match *self.node(id) {

@@ -11,8 +11,7 @@ pub struct Coordinate {
     pub rate: Id,
 }
 
-/// A symbol that continues in time by itself: its coefficients from order 1 on, which are constant
-/// along a step.
+/// A symbol with given motion: its coefficients from order 1 on, which are constant along a step.
 #[derive(Clone, Debug)]
 pub struct Polynomial {
     pub symbol: Id,
@@ -24,14 +23,14 @@ pub struct Polynomial {
 pub struct Recurrences {
     /// The symbols of the n-th coefficients of the coordinates.
     pub coefficients: Vec<Id>,
-    /// The symbols that continue by themselves, each with the symbol of its n-th coefficient.
+    /// The symbols with given motion, each with the symbol of its n-th coefficient.
     pub polynomials: Vec<(Polynomial, Id)>,
-    /// The symbols of n, and of 1/n.
+    /// The symbols of n and 1/n.
     pub order: Id,
     pub inverse: Id,
     /// The n-th coefficients of quotients and functions.
     pub results: Vec<(Id, Id)>,
-    /// The convolutions, by level: the factors of a level are made of the levels below.
+    /// The convolutions, by level: the factors of one level are made from lower levels.
     pub sums: Vec<Sum>,
     /// The rates of the coordinates at the start, and their n-th coefficients.
     pub start: Vec<Id>,

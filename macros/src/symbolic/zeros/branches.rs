@@ -8,9 +8,9 @@ use crate::symbolic::number::Function;
 
 use super::identity::{Residues, Side};
 
-/// Branches that are taken one by one. Where there are more, one of them is that on which choices
-/// are symbols: what holds whatever the sign of a root, and of any mixture of two sides, holds on
-/// all.
+/// The most branches that are tried one by one. If there are more, a last one is tried on which the
+/// choices are symbols. What holds there holds for either sign of a root and for any mixture of two
+/// sides, so it holds on all branches.
 const MOST: usize = 64;
 
 /// The result of `evaluate` on each branch.
@@ -57,7 +57,7 @@ impl Graph {
         conditions
     }
 
-    /// `roots` where conditions have these outcomes.
+    /// `roots` where these are the outcomes of the conditions.
     pub fn on_side(&mut self, roots: &[Id], holds: impl Fn(Id) -> bool) -> Vec<Id> {
         self.rebuild(roots, |graph, id, image| match graph.sides(id) {
             Some((condition, first, second)) => {
@@ -67,7 +67,7 @@ impl Graph {
         })
     }
 
-    /// A condition, what an expression is where it holds, and elsewhere.
+    /// A condition, the expression where it holds, and the expression where it does not.
     fn sides(&mut self, id: Id) -> Option<(Id, Id, Id)> {
         match *self.node(id) {
             Node::Select(condition, first, second) => Some((condition, first, second)),

@@ -1,10 +1,11 @@
-//! The degrees of expressions: how likely an expression that is not zero is zero at a random place.
+//! The degrees of expressions, which bound the probability that a nonzero expression is zero at a
+//! random place.
 
 use crate::symbolic::algebra::{Algebra, Tape};
 use crate::symbolic::graph::Comparison;
 use crate::symbolic::number::{Foreign, Function, Number};
 
-/// Bounds of the degrees of numerator and denominator, in symbols and in all that is taken for one.
+/// Bounds of the degrees of numerator and denominator, in symbols and in everything treated as one.
 #[derive(Clone, Copy)]
 pub(in crate::symbolic) struct Degree {
     above: f64,
@@ -13,24 +14,24 @@ pub(in crate::symbolic) struct Degree {
 
 struct Degrees;
 
-/// The degree of a value without a known form: a symbol, or a rational function of one with
+/// The degree of a value without a known form: a symbol, or a rational function of a symbol with
 /// squares.
 const UNKNOWN: Degree = Degree {
     above: 2.0,
     below: 2.0,
 };
 
-/// Expressions made of the values, such as changes along a rate and determinants, may have this
+/// Expressions that are made from these, such as rates of change and determinants, may have this
 /// many times their degrees.
 const MADE: f64 = 64.0;
-/// A proof fails in at most one of this many cases: 2^60.
+/// A proof is wrong in at most one of this many cases: 2^60.
 const CERTAINTY: f64 = 1_152_921_504_606_846_976.0;
 /// 2^127
 const PRIME: f64 = CERTAINTY * CERTAINTY * 128.0;
 
 impl Tape<'_> {
-    /// Whether values modulo a prime tell identities: that one of these expressions is
-    /// zero at a random place, or two of them are equal, while they are not so everywhere.
+    /// Whether values modulo a prime can prove identities: an expression that is zero at a random
+    /// place is zero everywhere, and two that are equal there are equal everywhere.
     pub fn is_told_by_residues(&self) -> bool {
         let degrees = self.values(&mut Degrees, |_, _| UNKNOWN);
         let sum: f64 = degrees.iter().map(|of| of.above + of.below).sum();
@@ -85,7 +86,7 @@ impl Algebra for Degrees {
                 let (a, b) = (self.multiply(a, a), self.multiply(b, b));
                 self.add(&a, &b)
             }
-            // either, or a mixture
+            // one of the two, or a mixture of both
             (Function::Min | Function::Max, [a, b]) => {
                 let sum = self.add(a, b);
                 self.multiply(&sum, &UNKNOWN)

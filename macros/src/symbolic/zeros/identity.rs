@@ -1,29 +1,29 @@
 //! Values modulo a prime: an expression that is zero at a random place is zero identically.
 //!
 //! Symbols have random residues. Values of functions have random residues too, the same for equal
-//! arguments: that of a sine by the tangent of half its angle, that of a hyperbolic function by
-//! the exponential of its argument, that of any other function by itself; a number that is not
-//! rational carries its residue along ([`crate::symbolic::number::irrational`]). A root has both
-//! signs, and a condition both outcomes: each is a branch of its own. A root of a root may have no
-//! residue, and is random too.
+//! arguments: those of a sine follow from the tangent of half its angle, those of a hyperbolic
+//! function from the exponential of its argument, and any other function has its own. An irrational
+//! number carries its residue along ([`crate::symbolic::number::irrational`]). A root has both
+//! signs, and a condition both outcomes: each is a separate branch. A root of a root may have no
+//! residue, and is then random too.
 //!
-//! An expression that is zero at the place on every branch is zero in all states, for all such
-//! functions, except with probability `degree / PRIME` (J. Schwartz, Fast probabilistic algorithms
-//! for verification of polynomial identities, J. ACM 27, 1980, 701; R. Zippel, Probabilistic
-//! algorithms for sparse polynomials, EUROSAM 1979). An expression that is not zero there may still
-//! be zero: `sin 2x - 2 sin x cos x`.
+//! An expression that is zero at this place on every branch is zero in all states, for all
+//! functions with these properties, except with probability `degree / PRIME` (J. Schwartz, Fast
+//! probabilistic algorithms for verification of polynomial identities, J. ACM 27, 1980, 701; R.
+//! Zippel, Probabilistic algorithms for sparse polynomials, EUROSAM 1979). An expression that is
+//! nonzero there may still be zero: `sin 2x - 2 sin x cos x`.
 
 use crate::symbolic::algebra::Algebra;
 use crate::symbolic::graph::Comparison;
 use crate::symbolic::number::{Foreign, Function, Number, Residue};
 
-/// Residues on one branch; `None` is a quotient by zero.
+/// Residues on one branch; `None` stands for a quotient by zero.
 pub struct Residues<'a> {
     side: &'a mut dyn FnMut(Side) -> Option<bool>,
 }
 
 impl<'a> Residues<'a> {
-    /// Residues on the branch that `side` tells; without an answer a choice is a symbol too.
+    /// Residues on the branch given by `side`. A choice without an answer becomes a symbol.
     pub(in crate::symbolic) fn new(side: &'a mut dyn FnMut(Side) -> Option<bool>) -> Self {
         Self { side }
     }
@@ -93,7 +93,7 @@ impl<'a> Residues<'a> {
         if is_turned { -root } else { root }
     }
 
-    /// Whether a number is below zero: one, zero, or a symbol.
+    /// Whether a number is negative: one, zero, or a symbol.
     fn is_below_zero(&mut self, a: Residue) -> Residue {
         if a.is_zero() {
             return Residue::ZERO;
@@ -104,7 +104,7 @@ impl<'a> Residues<'a> {
         }
     }
 
-    /// Whether it is zero.
+    /// Whether a number is zero: one, zero, or a symbol.
     fn is_nothing(&mut self, a: Residue) -> Residue {
         if a.is_zero() {
             return Residue::ONE;
@@ -213,7 +213,7 @@ impl Algebra for Residues<'_> {
     }
 }
 
-/// A choice, identified by the values that it depends on: equal values choose alike.
+/// A choice, identified by the values that it depends on: equal values give equal choices.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(in crate::symbolic) enum Side {
     /// The sign of the root of this.

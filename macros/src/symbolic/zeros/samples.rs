@@ -2,39 +2,39 @@
 //!
 //! An expression is called *zero* if it is proved to be zero in all states, on all branches, for
 //! both signs of every root and at all scales: see [`super::identity`]. All others may be zero
-//! somewhere or everywhere, and are treated as nonzero. Values of doubles or of long numbers prove
-//! nothing.
+//! somewhere or everywhere, and are treated as nonzero. Floating-point values prove nothing, at any
+//! precision.
 
 use crate::symbolic::graph::{Graph, Id, Node};
 use crate::symbolic::number::Residue;
 
 use super::branches::on_branches;
 
-/// The value of an expression at one random place, on each branch; `None` where there is none.
+/// The value of an expression at one random place, on each branch; `None` where it has none.
 #[derive(Clone)]
 pub struct Sample(pub Vec<Option<Residue>>);
 
 impl Sample {
-    /// Zero, on as many branches.
+    /// Zero on each of the same branches.
     pub fn nothing(&self) -> Self {
         Self(vec![Some(Residue::ZERO); self.0.len()])
     }
 
-    /// Whether it is proved to be zero: on every branch.
+    /// Whether it is proved to be zero on every branch.
     pub fn is_zero(&self) -> bool {
         self.0
             .iter()
             .all(|value| value.is_some_and(Residue::is_zero))
     }
 
-    /// Whether it is not zero somewhere.
+    /// Whether it is nonzero somewhere.
     pub fn is_refuted(&self) -> bool {
         self.0
             .iter()
             .any(|value| value.is_some_and(|value| !value.is_zero()))
     }
 
-    /// Whether it may be zero throughout a branch.
+    /// Whether it may be zero everywhere on some branch.
     pub fn may_vanish(&self) -> bool {
         self.0
             .iter()
@@ -68,7 +68,7 @@ impl Sample {
 }
 
 impl Graph {
-    /// The values of `roots`, from random values of the symbols.
+    /// The values of `roots` for random values of the symbols.
     pub fn samples(&self, roots: &[Id], symbol: impl Fn(Id) -> Residue) -> Vec<Sample> {
         self.sums(roots, &[symbol])
     }
@@ -101,7 +101,7 @@ impl Graph {
     }
 }
 
-/// The value of a symbol that may be anything, at the place of this number.
+/// A random value of a free symbol at the place with this number.
 pub fn free(symbol: Id, place: u64) -> Residue {
     Residue::stand_in(&("symbol", symbol, place))
 }

@@ -7,7 +7,7 @@ use crate::errors::Errors;
 use crate::syntax::Charge;
 use crate::syntax::expression::{Expression, Kind, Prefix};
 
-/// The charges in the parentheses of `.on(..)`; unreadable ones are reported.
+/// The charges in the parentheses of `.on(..)`. Unreadable ones are reported.
 pub fn parse_charges(on: &Ident, arguments: Vec<Expression>, errors: &mut Errors) -> Vec<Charge> {
     let list = match <[Expression; 1]>::try_from(arguments) {
         Ok([only]) => only.kind,

@@ -1,4 +1,5 @@
-//! Checks: `name = condition`, followed by its state: `(condition).given(thrust = 2[N])`.
+//! Checks: `name = condition`, and the state for which it is checked:
+//! `(condition).given(thrust = 2[N])`.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
@@ -39,7 +40,7 @@ pub fn parse_check(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Chec
     }
 }
 
-/// All comparisons joined by `&&`. Operators form a chain from left to right.
+/// Collects all comparisons joined by `&&`. Operators form a chain from left to right.
 fn take_claims(mut value: Expression, claims: &mut Vec<Claim>, errors: &mut Errors) {
     let Kind::Chain(first, steps) = &mut value.kind else {
         if !matches!(value.kind, Kind::Poisoned) {

@@ -12,7 +12,7 @@ use crate::syntax::tokens::{Entry, bracketed, split, stream, without_attributes}
 #[derive(Clone)]
 pub struct Composition {
     pub word: Ident,
-    /// `None` is unreadable, and reported.
+    /// `None` stands for an unreadable part, which is reported.
     pub parts: Vec<Option<Part>>,
 }
 
@@ -64,7 +64,7 @@ impl Composition {
         })
     }
 
-    /// Everything written in its parts.
+    /// All expressions written in its parts.
     pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
         self.parts.iter().flatten().flat_map(|part| {
             let others = part.mass.iter().chain(&part.point).flatten();
@@ -115,7 +115,7 @@ impl Part {
     }
 }
 
-/// The single argument of a method that occurs once.
+/// Stores the argument of a method that takes exactly one and may occur only once.
 fn take(
     into: &mut Option<Value>,
     method: &Ident,

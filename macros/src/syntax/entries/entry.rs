@@ -19,8 +19,8 @@ use crate::syntax::tokens::{after_sign, is_punct, start, stream};
 use crate::syntax::unit::UnitExpression;
 use crate::syntax::words::check_name;
 
-/// Reads one entry of the list `key`. Without a name there is none; without a value the name stays
-/// known, and causes no further errors.
+/// Reads one entry of the list `key`. An entry without a name is dropped. An entry without a value
+/// keeps its name, so that references to it cause no further errors.
 pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], errors: &mut Errors) {
     if key == "functions" {
         parse_function(into, entry, errors);
@@ -61,7 +61,7 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
             into.potentials.push(Definition { name, value });
         }
         "outputs" => {
-            // an output that does not exist yet is reported as such
+            // an output that does not exist yet is reported later, as an unknown output
             if let Some(extra) = rest.first().filter(|_| name != "jacobian") {
                 errors.push(
                     start(extra),
@@ -84,10 +84,10 @@ fn check_not_moving(declaration: &Declaration, message: &str, errors: &mut Error
     }
 }
 
-/// Lists of names that need no value.
+/// Lists whose entries may be names without a value.
 const DECLARED: [&str; 4] = ["params", "inputs", "states", "outputs"];
 
-/// The name of an entry, and the rest.
+/// The name of an entry, and the tokens after it.
 pub fn parse_name<'t>(
     into: &mut Description,
     key: &str,
@@ -144,8 +144,8 @@ pub fn parse_name<'t>(
     }
 }
 
-/// The kind of the entries of a key of loads; `None`: each entry says itself whether it is a
-/// moment.
+/// The family of the loads under a key, and their kind; `None` if each entry says itself whether it
+/// is a moment.
 fn family(key: &str) -> (Family, Option<LoadKind>) {
     match key {
         "forces" => (Family::External, Some(LoadKind::Force)),
@@ -253,7 +253,7 @@ pub fn parse_value(name: &Ident, rest: &[TokenTree], errors: &mut Errors) -> Val
     Expression::parse(stream(value), errors)
 }
 
-/// A potential has no point of action.
+/// Removes the point of action, which a potential does not have.
 fn without_point(value: Expression, errors: &mut Errors) -> Expression {
     match value.kind {
         Kind::Method(inner, method, _) if method == "at" => {
@@ -326,7 +326,7 @@ fn parse_load(
     load
 }
 
-/// The vector of `moment(vector)`, allowed where a load states its own `kind`.
+/// The vector of `moment(vector)`, allowed under keys that leave the kind to each load.
 fn vector_of_moment(
     function: &Ident,
     mut arguments: Vec<Expression>,
@@ -363,7 +363,7 @@ fn parse_place(
     errors.push(method.span(), message);
 }
 
-/// Whether the point of action of a load matters.
+/// Reports a point of action that has no effect.
 fn check_place(load: &mut Load, at: &Ident, errors: &mut Errors) {
     if load.charges.is_some() {
         errors.push(

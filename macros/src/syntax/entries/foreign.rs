@@ -10,9 +10,9 @@ use crate::syntax::tokens::{Entry, after_sign, is_punct, split, start, stream};
 use crate::syntax::unit::UnitExpression;
 use crate::syntax::words::check_name;
 
-/// The limit of arguments of a function.
+/// The most arguments of a function.
 const ARGUMENTS: usize = 3;
-/// The limit of differentiations of a function.
+/// The highest order of derivatives of a function.
 const MOST: usize = 4;
 const FORM: &str = "`lift(alpha) = crate::lift[N]`, its unit in brackets, or with derivatives \
                     `lift(alpha) = crate::lift[N].derivatives(crate::lift_by_alpha)`";
@@ -21,7 +21,7 @@ const FORM: &str = "`lift(alpha) = crate::lift[N]`, its unit in brackets, or wit
 #[derive(Clone)]
 pub struct Constant {
     pub name: Ident,
-    /// A Rust expression; `None` was reported.
+    /// A Rust expression; `None` if it could not be read, which is reported.
     pub value: Option<TokenStream>,
     pub unit: Option<UnitExpression>,
 }
@@ -32,8 +32,8 @@ pub struct Function {
     pub name: Ident,
     pub arguments: Vec<(Ident, Option<UnitExpression>)>,
     pub unit: Option<UnitExpression>,
-    /// Its path and those of the given derivatives, each with the arguments that it is
-    /// differentiated by, in order.
+    /// The paths of the function and of its derivatives. Each comes with the arguments that it is
+    /// differentiated with respect to, in order.
     pub paths: Vec<(Vec<usize>, TokenStream)>,
 }
 
@@ -80,7 +80,7 @@ fn value_of_constant(
     Some((value, unit))
 }
 
-/// Reads an entry of `functions`. If it is malformed there is none, and its name is lost.
+/// Reads an entry of `functions`. A malformed entry is dropped, and its name counts as lost.
 pub fn parse_function(into: &mut Description, entry: &[TokenTree], errors: &mut Errors) {
     let [TokenTree::Ident(name), rest @ ..] = entry else {
         if let Some(first) = entry.first() {
@@ -176,7 +176,7 @@ fn arguments(
     }))
 }
 
-/// What a path is followed by: the word `derivatives`, and the list behind it.
+/// What follows a path: the word `derivatives`, and the list after it.
 type Behind<'t> = (&'t Ident, &'t Group);
 
 /// Takes `.derivatives(..)` off the end.
@@ -201,8 +201,8 @@ fn with_derivatives<'t>(
     }
 }
 
-/// `.derivatives(path, _)`, of a function of so many arguments that is differentiated by some
-/// already. A path may have derivatives of its own.
+/// `.derivatives(path, _)` of a function with `count` arguments that has been differentiated with
+/// respect to the arguments `by`. A path may have derivatives of its own.
 fn slopes(
     (word, list): &Behind<'_>,
     (count, by): (usize, &[usize]),

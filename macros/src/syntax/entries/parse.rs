@@ -39,11 +39,11 @@ const LISTS: [(&str, &str); 18] = [
 ];
 /// All other keys.
 const VALUES: [&str; 5] = ["doc", "motion", "mass", "inertia", "pole"];
-/// The limit of tokens of a description: a stated limit instead of minutes of waiting.
+/// The most tokens of a description. An error at this limit is better than minutes of waiting.
 const TOKENS: usize = 50_000;
 
-/// Parses `(runtime) Name { key: value, .. }`. Without a name, or beyond the limit, there is no
-/// description at all.
+/// Parses `(runtime) Name { key: value, .. }`. Returns no description if the name is missing or the
+/// text is too long.
 pub fn parse_description(tokens: TokenStream, errors: &mut Errors) -> Option<Description> {
     check_length(&tokens, errors)?;
     let (mut description, body) = parse_head(tokens, errors)?;
@@ -51,7 +51,7 @@ pub fn parse_description(tokens: TokenStream, errors: &mut Errors) -> Option<Des
     Some(description)
 }
 
-/// A description that is too long counts as none.
+/// Reports a description that is too long, and returns `None` for it.
 pub fn check_length(tokens: &TokenStream, errors: &mut Errors) -> Option<()> {
     let Some(crossed) = token_beyond(tokens, TOKENS) else {
         return Some(());
@@ -64,7 +64,7 @@ pub fn check_length(tokens: &TokenStream, errors: &mut Errors) -> Option<()> {
 
 /// The keys of a body.
 pub fn parse_keys(description: &mut Description, body: TokenStream, errors: &mut Errors) {
-    // a list without brackets, whose entries look like keys
+    // the last list without brackets: its further entries look like keys
     let mut open_list = None;
     for entry in split(body, Entry::Key, errors) {
         let entry = without_attributes(&entry, errors);
@@ -87,7 +87,7 @@ pub fn key_meant(word: &str) -> Option<&'static str> {
         .or_else(|| similar(word, known()))
 }
 
-/// An unknown key, and the one that was probably meant.
+/// Reports an unknown key, and suggests the one that was probably meant.
 pub fn report_unknown(key: &Ident, meant: Option<&str>, errors: &mut Errors) {
     let elsewhere = || foreign_key_meant(&key.to_string());
     let hint = meant.or_else(elsewhere).map_or_else(
@@ -104,7 +104,7 @@ pub fn parse_key(
     errors: &mut Errors,
 ) -> Option<&'static str> {
     let Some((key, rest)) = key_word(entry, errors) else {
-        // a name that a `let` would define causes no other error
+        // references to a name that a `let` would define cause no further errors
         into.lost.extend(entry.get(1).and_then(name_of));
         return None;
     };
@@ -138,7 +138,7 @@ pub fn parse_key(
     parse_list(into, list, example, value, errors)
 }
 
-/// The first word of an entry, and the rest.
+/// The first word of an entry, and the tokens after it.
 fn key_word<'t>(
     entry: &'t [TokenTree],
     errors: &mut Errors,
@@ -268,7 +268,7 @@ fn take_texts<'t>(into: &mut Description, entry: &'t [TokenTree]) -> &'t [TokenT
     rest
 }
 
-/// The text of `[doc = ".."]`, which Rust makes of `/// ..`.
+/// The text of `[doc = ".."]`, the form that Rust gives to `/// ..`.
 fn line_of_documentation(group: &Group) -> Option<String> {
     let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
     match tokens.as_slice() {
@@ -288,7 +288,7 @@ fn parse_one(into: &mut Description, list: &str, entry: &[TokenTree], errors: &m
     }
 }
 
-/// The value of a key that is not a list; the first one counts.
+/// Reads a key that is not a list. If it occurs twice, the first value counts.
 fn parse_single(into: &mut Description, key: &str, value: &[TokenTree], errors: &mut Errors) {
     let written = |errors: &mut Errors| {
         let value = (!value.is_empty()).then(|| Expression::parse(stream(value), errors));

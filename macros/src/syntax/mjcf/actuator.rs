@@ -1,4 +1,4 @@
-//! `<actuator>`: motors, and linear springs and dampers towards an input.
+//! `<actuator>`: motors, and linear springs and dampers that act towards an input.
 
 use proc_macro2::Ident;
 use roxmltree::Node;
@@ -24,7 +24,7 @@ pub struct Actuator {
     gear: Decimal,
     gain: [Decimal; 3],
     bias: [Decimal; 3],
-    /// The unit of its input; none if that is unknown.
+    /// The unit of its input; `None` if that is unknown.
     unit: Option<&'static str>,
     extent: Extent,
 }
@@ -39,7 +39,7 @@ const KNOWN: [&str; 8] = [
     "group",
     "dyntype",
 ];
-/// Attributes that do not affect the motion without limits.
+/// Attributes that do not affect the motion, since limits are not modelled.
 const SKIPPED: [&str; 11] = [
     "ctrllimited",
     "ctrlrange",
@@ -88,8 +88,8 @@ impl Reader<'_> {
         }
     }
 
-    /// All actuators share one set of defaults in `MuJoCo`: attributes of another kind in a class
-    /// count, except for kinds that set all of their gains themselves.
+    /// In `MuJoCo`, all actuators share one set of defaults. So attributes that a class gives to
+    /// another kind count too, except for kinds that set all of their gains themselves.
     fn check_classes(&mut self, node: Node<'_, '_>, classes: &Classes) {
         let tag = node.tag_name().name();
         for (kind, own) in KINDS.iter().filter(|(kind, _)| *kind != tag) {
@@ -204,7 +204,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The parameters of a gain or a bias; for a simple one those that count.
+    /// The parameters of a gain or a bias. If it is not affine, only those that count.
     fn terms(
         &mut self,
         element: &Element<'_, '_>,

@@ -1,4 +1,4 @@
-//! Bodies of a file, each inside its carrier.
+//! The bodies of a file; each stands inside its carrier.
 
 use proc_macro2::Ident;
 use roxmltree::Node;
@@ -18,11 +18,11 @@ pub struct Body {
     /// The name in the file; empty if it has none.
     pub name: String,
     pub ident: Ident,
-    /// The index of its carrier; none for the world.
+    /// The index of its carrier; `None` for the world.
     pub parent: Option<usize>,
     pub place: Place,
     pub joints: Vec<Joint>,
-    /// Its mass properties; none for a frame.
+    /// Its mass properties; empty for a frame.
     pub parts: Vec<Part>,
     pub extent: Extent,
 }
@@ -31,13 +31,13 @@ const KNOWN: [&str; 5] = ["name", "childclass", "mocap", "gravcomp", "user"];
 const PARTS: [&str; 5] = ["body", "joint", "freejoint", "inertial", "geom"];
 const SKIPPED: [&str; 3] = ["site", "camera", "light"];
 
-/// The context of reading bodies.
+/// The state of reading bodies.
 pub struct Reading<'a> {
     pub beside: Beside<'a>,
     pub classes: &'a Classes,
     pub settings: &'a Settings,
     pub names: &'a mut Names,
-    /// The names of all bodies, in the file and in this language.
+    /// The names of all bodies, as in the file and as in the description.
     pub idents: Vec<(String, Ident)>,
     pub bodies: Vec<Body>,
 }
@@ -167,7 +167,7 @@ impl Reading<'_> {
     }
 }
 
-/// Whether each body, or one that it carries, has mass.
+/// For each body, whether it or a body that it carries has mass.
 pub fn massive(bodies: &[Body], beside: Beside<'_>) -> Vec<bool> {
     let has = |body: &Body| !body.parts.is_empty() || beside.gives_mass(&body.ident);
     let mut found: Vec<bool> = bodies.iter().map(has).collect();

@@ -12,7 +12,7 @@ use super::element::bare;
 use super::length::{Length, Term};
 use super::tendon::Tendon;
 
-/// The first is a polynomial of the second, both relative to the drawn pose.
+/// The first length is a polynomial of the second, both measured from the drawn pose.
 pub struct Coupling {
     pub name: String,
     first: Length,

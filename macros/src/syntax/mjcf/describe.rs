@@ -21,8 +21,8 @@ pub struct Writer<'a> {
     pub described: Described,
 }
 
-/// A place: a body, by its index among the described ones, or the world; the offset
-/// in its axes from its origin; and the rotation there.
+/// A place: a body, by its index among the described ones, or the world; the offset from its
+/// origin, in its axes; and the rotation there.
 struct Foot {
     body: Option<usize>,
     place: String,
@@ -117,7 +117,7 @@ impl Writer<'_> {
         self.described.joints.push(joint);
     }
 
-    /// The representation of a place in a joint: a point, or a vector of the world.
+    /// How a joint refers to a place: as a point of a body, or as a vector of the world.
     pub fn end(&mut self, body: Option<usize>, word: &str, place: &str, extent: Extent) -> String {
         let Some(number) = body else {
             return format!("world{place}");
@@ -138,7 +138,7 @@ impl Writer<'_> {
         let (extent, word) = (joint.extent, joint.ident.to_string());
         let pin = tuple(&joint.place);
         let is_pinned = joint.place.iter().any(|part| !part.is_zero());
-        // both have the same axes if the joint is not at the origin, or nothing is rotated
+        // without rotation, both have the same axes, so the offset of the joint can be added
         let place = match (is_pinned, foot.turned.is_empty()) {
             (true, true) => sum(&foot.place, &pin),
             _ => foot.place,
@@ -173,7 +173,8 @@ impl Writer<'_> {
         self.loads(joint);
     }
 
-    /// A definition with the name of a joint, with the locked value in place of `_`.
+    /// A definition named after a joint, with `_` replaced by the value at which the joint is
+    /// locked.
     fn filled(&mut self, text: &str, joint: &Joint) -> Definition {
         let value = written(text, joint.extent, self.span, self.errors);
         let value = match &joint.locked {
@@ -218,7 +219,7 @@ impl Writer<'_> {
         self.described.constraints.push(constraint);
     }
 
-    /// A force along a length, as drives of its joints.
+    /// A force along a length, as drives of the joints of that length.
     pub fn along(&mut self, word: &str, force: &str, length: &Length, extent: Extent) {
         for term in &length.0 {
             let joint = &term.joint;
@@ -232,7 +233,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Gravity, unless something of this name is written next to the file.
+    /// Gravity, unless the description has a field of this name.
     pub fn gravity(&mut self, text: &str, beside: Beside<'_>, extent: Extent) {
         if beside.fields.iter().any(|field| field.name == "gravity") {
             return;
@@ -261,7 +262,8 @@ impl Foot {
 }
 
 impl Joint {
-    /// The difference of its coordinate from the drawn pose, where it is zero or locked.
+    /// The offset from the drawn pose to the pose where the coordinate is zero, or has its locked
+    /// value.
     fn shift(&self) -> Option<String> {
         match (&self.locked, &self.reference) {
             (Some(_), None) => Some("_".to_owned()),

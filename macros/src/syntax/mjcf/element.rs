@@ -1,4 +1,4 @@
-//! Elements with the attributes of their classes.
+//! Elements, with the attributes that their classes give them.
 
 use core::ops::RangeInclusive;
 use std::collections::BTreeMap;
@@ -11,7 +11,7 @@ use crate::syntax::xml::reader::Reader;
 
 type Attributes = BTreeMap<String, String>;
 
-/// An element, and its attributes with those of its class.
+/// An element, and its attributes, including those of its class.
 pub struct Element<'n, 'd> {
     pub node: Node<'n, 'd>,
     attributes: Attributes,
@@ -27,11 +27,11 @@ impl Element<'_, '_> {
     }
 }
 
-/// `<default class="..">`: attributes by class and tag, those of the classes around it included.
+/// `<default class="..">`: attributes by class and tag, including those of the enclosing classes.
 #[derive(Default)]
 pub struct Classes(BTreeMap<String, BTreeMap<String, Attributes>>);
 
-/// The class of elements without one.
+/// The class of elements that name none.
 const MAIN: &str = "main";
 /// The tags that a class may contain, and the supported attributes of each.
 const TAGS: [&str; 8] = [
@@ -77,7 +77,7 @@ impl Classes {
         self.of_class(node, (around, node.tag_name().name()), reader)
     }
 
-    /// The same for an element that classes name by another tag.
+    /// The same for an element whose attributes classes list under another tag.
     pub fn of_tag<'n, 'd>(
         &self,
         node: Node<'n, 'd>,
@@ -87,7 +87,7 @@ impl Classes {
         self.of_class(node, (None, tag), reader)
     }
 
-    /// The attributes of another tag in the class of an element.
+    /// The attributes that the class of an element gives to another tag.
     pub fn given(&self, node: Node<'_, '_>, tag: &str) -> Vec<&str> {
         let class = node.attribute("class").unwrap_or(MAIN);
         let known = self.0.get(class).and_then(|tags| tags.get(tag));
@@ -138,8 +138,8 @@ fn overlay(into: &mut Attributes, node: Node<'_, '_>) {
 }
 
 impl Reader<'_> {
-    /// The numbers of an attribute, or default numbers if it is missing, or if it is wrong and
-    /// reported.
+    /// The numbers of an attribute. Default numbers replace an attribute that is missing, or is
+    /// wrong and reported.
     pub fn list(
         &mut self,
         element: &Element<'_, '_>,
@@ -196,8 +196,8 @@ impl Reader<'_> {
         (!value.is_zero()).then(|| value.literal())
     }
 
-    /// The elements in `node` that are `known`; elements that are neither known nor among `skipped`
-    /// would change the motion.
+    /// The elements in `node` with tags in `known`. Reports elements that are neither known nor
+    /// among `skipped`, because they would change the motion.
     pub fn parts<'n, 'd>(
         &mut self,
         node: Node<'n, 'd>,
@@ -236,8 +236,8 @@ impl Reader<'_> {
         found
     }
 
-    /// Attributes that are refused because they would change the motion, each with its permitted
-    /// neutral values.
+    /// Rejects attributes that would change the motion, unless they have one of their neutral
+    /// values.
     pub fn refuse(&mut self, element: &Element<'_, '_>, all: &[(&str, &[&str], &str)]) {
         for (name, nothing, why) in all {
             let Some(text) = element.get(name) else {
@@ -253,7 +253,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Reports attributes that an element does not have; those of its class are checked there.
+    /// Reports attributes that an element does not have. Those of its class are checked in the
+    /// class.
     pub fn check_names(&mut self, element: &Element<'_, '_>, known: &[&[&str]]) {
         let known: Vec<&str> = known.concat();
         self.check_attributes(element.node, &known);

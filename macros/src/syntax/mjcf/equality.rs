@@ -14,10 +14,10 @@ use super::place::{inverse, product, rotate};
 /// first.
 pub struct Closing {
     name: String,
-    /// By index; none for the world.
+    /// Indices of bodies; `None` for the world.
     bodies: [Option<usize>; 2],
     points: [[f64; 3]; 2],
-    /// For a weld.
+    /// The rotation, for a weld.
     turned: Option<[f64; 4]>,
     extent: Extent,
 }
@@ -37,7 +37,7 @@ const KNOWN: [&str; 13] = [
     "torquescale",
     "user",
 ];
-/// The size of rounding for lengths of one.
+/// The rounding error of lengths of about one.
 const ROUNDING: f64 = 1e-15;
 
 type Pose = ([f64; 3], [f64; 4]);
@@ -131,8 +131,8 @@ impl Reader<'_> {
 }
 
 impl Writer<'_> {
-    /// The joints that close loops, after those that carry bodies; `numbers` are the indices of the
-    /// described bodies.
+    /// The joints that close loops, written after those that carry bodies; `numbers` are the
+    /// indices of the described bodies.
     pub fn close(
         &mut self,
         closings: &[Closing],
@@ -141,7 +141,7 @@ impl Writer<'_> {
     ) {
         for closing in closings {
             let ident = name(&closing.name);
-            // the world carries; a body comes second
+            // the world can only be the carrier, so the body comes second
             let mut ends = [0, 1].map(|end| (closing.bodies[end], closing.points[end]));
             let mut turned = closing.turned;
             if ends[1].0.is_none() {
@@ -163,7 +163,7 @@ impl Writer<'_> {
     }
 }
 
-/// With rounding removed.
+/// The vector with components that are only rounding error set to zero.
 fn clean(of: [f64; 3]) -> [f64; 3] {
     let size = of.iter().fold(1.0_f64, |size, part| size.max(part.abs()));
     of.map(|part| {
@@ -175,8 +175,8 @@ fn clean(of: [f64; 3]) -> [f64; 3] {
     })
 }
 
-/// Rotations about z, y and x in sequence; the last two are computed from the rotation that remains
-/// after the first ones, so that no accuracy is lost where y rotates by a right angle.
+/// Rotations about z, y and x in sequence. The last two are computed from what the first leaves, so
+/// that no accuracy is lost near a right angle about y.
 fn in_turns(turned: [f64; 4]) -> String {
     let [x, y, z] =
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| rotate(turned, axis));

@@ -12,7 +12,7 @@ use super::place::{PLACE, Place, shortest, tuple, turned, turned_inertia};
 use super::settings::Settings;
 use crate::syntax::xml::written::written;
 
-/// A form, its mass, and the place of its G.
+/// A form, its mass, and the place of its center of mass G.
 struct Substance {
     form: String,
     mass: String,
@@ -43,7 +43,7 @@ const GEOM: [&str; 9] = [
     "shellinertia",
     "mesh",
 ];
-/// Attributes of geoms for appearance and contact.
+/// Attributes of geoms that concern appearance and contact only.
 const LOOKS: [&str; 21] = [
     "contype",
     "conaffinity",
@@ -80,7 +80,7 @@ const TYPES: [&str; 9] = [
 ];
 
 impl Reader<'_> {
-    /// The parts of a body; none if it has no mass.
+    /// The parts of a body; empty if it has no mass.
     pub fn made_of(
         &mut self,
         inertial: Option<Node<'_, '_>>,
@@ -189,7 +189,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The place and rotation of its middle, and for one between two points half its length.
+    /// The place and rotation of its center; and half its length, if it is given by its two ends.
     fn placed_geom(
         &mut self,
         element: &Element<'_, '_>,
@@ -219,14 +219,14 @@ impl Reader<'_> {
         Some((format!("({})", middle.join(", ")), turns, Some(half)))
     }
 
-    /// Its lengths, each as an expression.
+    /// Its dimensions, each as an expression.
     fn size(
         &mut self,
         element: &Element<'_, '_>,
         kind: usize,
         half: Option<String>,
     ) -> Option<Vec<String>> {
-        // between two points, a box and an ellipsoid are as wide along x as along y
+        // if given by two points, a box and an ellipsoid are as wide along x as along y
         let own = [1, 2, 2, 3, 3][kind] - usize::from(half.is_some());
         let (own, is_square) = match (kind, &half) {
             (3 | 4, Some(_)) => (1, true),
@@ -246,11 +246,11 @@ impl Reader<'_> {
 }
 
 fn is_same(a: &Decimal, b: &Decimal) -> bool {
-    // so that a zero has no sign
+    // adding zero removes the sign of a negative zero
     (a.value() + 0.0).to_bits() == (b.value() + 0.0).to_bits()
 }
 
-/// The rotation of z to the direction between two points.
+/// The rotation that takes z to the line through two points.
 fn along(from: &[Decimal], to: &[Decimal]) -> String {
     let is_along =
         |axis: usize| (0..3).all(|other| (is_same(&from[other], &to[other])) == (other != axis));
@@ -259,7 +259,7 @@ fn along(from: &[Decimal], to: &[Decimal]) -> String {
         return String::new();
     }
     if let (Some(axis), [x, y, z]) = (unit, [0, 1, 2].map(|part| &from[part])) {
-        // from 0 to 1 or from 1 to 0: the sense does not matter for solids
+        // solids are symmetric, so it does not matter which way the line points
         let extent = [x, y, z][axis].extent;
         let mut direction = [0, 1, 2].map(|_| Decimal::zero(extent));
         direction[axis] = Decimal::one(extent);
@@ -270,7 +270,7 @@ fn along(from: &[Decimal], to: &[Decimal]) -> String {
     format!(".turned(body(-{y}, {x}, 0), ({x}.powi(2) + {y}.powi(2)).sqrt().atan2({z}))")
 }
 
-/// The volume of a solid by its lengths.
+/// The volume of a solid with these dimensions.
 fn volume(kind: usize, lengths: &[String]) -> String {
     match (kind, lengths) {
         (0, [r]) => format!("4 / 3 * PI * {r}.powi(3)"),
@@ -281,7 +281,7 @@ fn volume(kind: usize, lengths: &[String]) -> String {
     }
 }
 
-/// A solid by its lengths.
+/// A solid with these dimensions.
 fn form(kind: usize, lengths: &[String], mass: &str) -> String {
     match (kind, lengths) {
         (0, [r]) => format!("sphere({r})"),
@@ -292,7 +292,7 @@ fn form(kind: usize, lengths: &[String], mass: &str) -> String {
     }
 }
 
-/// A cylinder with a half sphere on each end, which have their share of the mass.
+/// A cylinder with a hemisphere on each end. The mass is divided among them by volume.
 fn capsule(r: &str, h: &str, mass: &str) -> String {
     let (square, ends) = (
         format!("({r}).powi(2)"),

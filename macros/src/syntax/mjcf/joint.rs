@@ -23,7 +23,7 @@ pub enum Motion {
 pub struct Joint {
     pub ident: Ident,
     pub kind: Motion,
-    /// In the axes of the body, from its origin.
+    /// Its place, in the axes of the body, from the body's origin.
     pub place: [Decimal; 3],
     pub axis: [Decimal; 3],
     /// The coordinate in the drawn pose, if it is not zero.
@@ -56,7 +56,7 @@ const KNOWN: [&str; 11] = [
     "armature",
     "frictionloss",
 ];
-/// Attributes that do not affect the motion without limits.
+/// Attributes that do not affect the motion, since limits are not modelled.
 const SKIPPED: [&str; 13] = [
     "springdamper",
     "solreflimit",
@@ -135,7 +135,7 @@ impl Reader<'_> {
         })
     }
 
-    /// Reports loads along a joint that are not read.
+    /// Reports loads along a joint that cannot be described.
     fn refuse_loads(&mut self, element: &Element<'_, '_>, kind: Motion) {
         let nothing = &["0"];
         let friction = "dry friction is not read: set it to 0, and write it in `drives`";

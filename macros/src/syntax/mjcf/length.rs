@@ -10,13 +10,13 @@ use crate::syntax::xml::reader::Reader;
 use super::body::Body;
 use super::joint::{Joint, Motion};
 
-/// `(2) * lift.angle + slip.position`
+/// A sum of coordinates with factors: `(2) * lift.angle + slip.position`.
 #[derive(Clone)]
 pub struct Length(pub Vec<Term>);
 
 #[derive(Clone)]
 pub struct Term {
-    /// The factor of the coordinate; none for one.
+    /// The factor of the coordinate; `None` for a factor of one.
     pub factor: Option<String>,
     pub joint: Ident,
     pub kind: Motion,
@@ -122,7 +122,7 @@ impl Reader<'_> {
         Some(joint)
     }
 
-    /// Reports locked joints among joints that are not locked.
+    /// Reports joints of which some are locked and some are not. `None` if all are locked.
     pub fn check_free(&mut self, node: Node<'_, '_>, joints: &[&Joint]) -> Option<()> {
         let held = joints.iter().find(|joint| joint.is_held());
         let Some(held) = held else { return Some(()) };

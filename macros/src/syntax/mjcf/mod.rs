@@ -1,8 +1,8 @@
 //! `mjcf: "model.xml"`: bodies, joints, motors and gravity from a file (the format of `MuJoCo`).
 //!
-//! The content of the file becomes a description that a user could have written: a body composed of
-//! parts for each body with mass, a frame for each one without and between the joints of one body,
-//! and a definition of each joint. All numbers keep their digits.
+//! The content of the file becomes a description that a user could have written. Each body with
+//! mass is a body composed of parts. Each body without mass is a frame, and so is each place
+//! between two joints of one body. Each joint is a definition. All numbers keep their digits.
 
 mod actuator;
 mod body;
@@ -68,7 +68,7 @@ struct Model {
     extent: Extent,
 }
 
-/// Reads a text; its name and place are those of the string that names the file.
+/// Reads a text; `name` and `span` are those of the string that names the file.
 pub fn read(
     (name, span): (&str, Span),
     text: &str,
@@ -142,7 +142,7 @@ impl Beside<'_> {
         of("equality").for_each(|node| reader.couplings(node, known, &mut couplings));
         let (poses, mut closings) = (poses(&bodies), Vec::new());
         of("equality").for_each(|node| reader.closings(node, &bodies, &poses, &mut closings));
-        // the error may be in the mass properties of a body
+        // after an error, bodies may lack mass only because their mass properties could not be read
         if reader.errors.is_empty() {
             self.check(&bodies, reader.errors);
         }
@@ -158,7 +158,7 @@ impl Beside<'_> {
         })
     }
 
-    /// Whether moving bodies have mass, and locked joints can be locked.
+    /// Checks that moving bodies have mass, and that locked joints can be locked.
     fn check(self, bodies: &[Body], errors: &mut Errors) {
         let massive = massive(bodies, self);
         let moves = |body: &Body| body.joints.iter().any(|joint| !joint.is_held());

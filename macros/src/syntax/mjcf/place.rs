@@ -59,7 +59,7 @@ pub fn turned(turns: &[Turn]) -> String {
     text
 }
 
-/// The same for an inertia, whose first rotation is the last one of its axes.
+/// The same for an inertia: its rotations come in the reverse order of those of its axes.
 pub fn turned_inertia(turns: &[Turn]) -> String {
     let mut text = String::new();
     for Turn { axis, angle, .. } in turns.iter().rev() {
@@ -68,7 +68,7 @@ pub fn turned_inertia(turns: &[Turn]) -> String {
     text
 }
 
-/// `a * b` of quaternions, the real part first.
+/// The product `a * b` of two quaternions with the real part first.
 pub fn product(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
     let [aw, ax, ay, az] = a;
     let [bw, bx, by, bz] = b;
@@ -96,7 +96,7 @@ impl Place {
     }
 }
 
-/// `n` numbers of a vector, and its name.
+/// The length of a vector, as an expression and as a number.
 fn length(parts: &[Decimal]) -> (String, f64) {
     let squares = parts.iter().filter(|part| !part.is_zero());
     let squares: Vec<&Decimal> = squares.collect();
@@ -184,7 +184,7 @@ impl Reader<'_> {
         !is_zero
     }
 
-    /// Whether two axes are not multiples of each other.
+    /// Checks that two axes are not parallel.
     fn are_across(&mut self, element: &Element<'_, '_>, all: &[Decimal]) -> bool {
         let of = |place: usize| all[place].value();
         let [x, y, z] =
@@ -225,7 +225,7 @@ impl Reader<'_> {
     }
 }
 
-/// The shortest rotation of z to a direction.
+/// The rotation by the smallest angle that takes z to a direction.
 pub fn shortest(to: &[Decimal]) -> Option<Turn> {
     let across = &to[..2];
     if across.iter().all(Decimal::is_zero) {
@@ -244,15 +244,15 @@ pub fn shortest(to: &[Decimal]) -> Option<Turn> {
     Some(Turn::new(axis, of, angle, size.atan2(to[2].value())))
 }
 
-/// Rotations about z, y and x that take the axis x to the first three numbers, and y into the
-/// plane of both.
+/// Rotations about z, y and x. They take the x axis to the direction of the first three numbers,
+/// and the y axis into the plane of both given vectors.
 fn axes(all: &[Decimal]) -> Vec<Turn> {
     let [xx, xy, xz, yx, yy, yz] =
         [0, 1, 2, 3, 4, 5].map(|part| (all[part].literal(), all[part].value()));
     let mut turns = Vec::new();
     let (flat, flat_value) = length(&all[..2]);
     if all[..2].iter().all(Decimal::is_zero) {
-        // x goes to z, and y stays or rotates about it
+        // x points along z; what remains is a rotation about x
         let up = if xz.1 > 0.0 { -1.0 } else { 1.0 };
         turns.push(Turn::about(
             1,
@@ -277,7 +277,7 @@ fn axes(all: &[Decimal]) -> Vec<Turn> {
             -xz.1.atan2(flat_value),
         ));
     }
-    // y along the second and third of the axes given by these rotations, times lengths of x
+    // the components of the given y along the rotated y and z axes, multiplied by lengths of x
     let (whole, whole_value) = length(&all[..3]);
     let second = format!(
         "(({}) * ({}) - ({}) * ({})) * {whole}",
@@ -298,7 +298,7 @@ fn axes(all: &[Decimal]) -> Vec<Turn> {
 }
 
 impl Settings {
-    /// An angle as written here, and in radians; none if it is zero.
+    /// An angle as it is written here, and in radians; `None` if it is zero.
     pub fn angle(&self, angle: &Decimal) -> Option<(String, f64)> {
         let value = angle.value();
         if self.is_radian {

@@ -7,14 +7,14 @@ use crate::syntax::xml::reader::Reader;
 
 use super::element::bare;
 
-/// The interpretation of a file.
+/// How a file is interpreted.
 pub struct Settings {
     pub is_radian: bool,
-    /// The axes of Euler angles; whether they are fixed instead of rotating with the body.
+    /// The axes of Euler angles, and whether they are fixed instead of rotating with the body.
     pub order: [usize; 3],
     pub is_fixed: bool,
-    /// Whether all bodies, or none, take their mass from geoms; by default those without
-    /// `<inertial>`.
+    /// Whether all bodies take their mass from geoms, or none does. By default, bodies without
+    /// `<inertial>` do.
     pub from_geoms: Option<bool>,
     pub gravity: Option<[Decimal; 3]>,
     pub has_gravity: bool,
@@ -50,7 +50,7 @@ const SKIPPED: [&str; 13] = [
     "alignfree",
     "inertiagrouprange",
 ];
-/// Flags that do not affect forward dynamics without contact and limits.
+/// Flags that do not affect forward dynamics, since contact and limits are not modelled.
 const FLAGS: [&str; 16] = [
     "contact",
     "limit",

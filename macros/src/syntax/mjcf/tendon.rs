@@ -30,7 +30,7 @@ const KNOWN: [&str; 8] = [
     "frictionloss",
     "armature",
 ];
-/// Attributes that do not affect the motion without limits.
+/// Attributes that do not affect the motion, since limits are not modelled.
 const SKIPPED: [&str; 11] = [
     "limited",
     "range",
@@ -95,7 +95,7 @@ impl Reader<'_> {
             return self.report(node, message);
         }
         let rest = match rest.first() {
-            // -1 stands for the length at rest of the springs of its joints
+            // -1 stands for the length at which the springs of its joints are at rest
             Some(rest) if rest.text() != "-1" => rest.literal(),
             _ => length.rest().unwrap_or("0".to_owned()),
         };
@@ -109,7 +109,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The sum of coordinates that is the length of a tendon.
+    /// The length of a tendon, as a sum of coordinates.
     fn length(&mut self, node: Node<'_, '_>, bodies: &[Body]) -> Option<Length> {
         let (mut terms, mut joints) = (Vec::new(), Vec::new());
         for part in self.parts(node, &["joint"], &[]) {

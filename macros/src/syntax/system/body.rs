@@ -13,7 +13,7 @@ use crate::syntax::{Definition, Description};
 use super::{LATER, OF_SYSTEMS, System};
 
 impl System {
-    /// `name { key: value, .. }`, or several if commas are missing.
+    /// `name { key: value, .. }`, or several of these if commas are missing.
     pub fn parse_body(&mut self, entry: &[TokenTree], errors: &mut Errors) {
         let mut entry = entry;
         while let [
@@ -53,7 +53,7 @@ impl System {
         }
     }
 
-    /// Returns the copies, if requested.
+    /// Reads the keys, and returns the copies if there are any.
     fn parse_keys_of_body(
         &mut self,
         body: &mut Description,
@@ -214,7 +214,7 @@ fn is_copies(word: &str) -> bool {
         || word != "bodies" && similar(word, ["copies"]).is_some() && key_meant(word).is_none()
 }
 
-/// `body_name`, with its inertia along the direction of the copy.
+/// The body `body_name`, with its inertia along the direction of the copy.
 fn copied(body: &Description, copy: &Definition) -> Description {
     let mut copied = body.clone();
     copied.name = format_ident!("{}_{}", body.name, copy.name, span = copy.name.span());

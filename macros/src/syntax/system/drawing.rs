@@ -10,7 +10,7 @@ use crate::syntax::tokens::start;
 
 use super::System;
 
-/// The place of a body's G in a drawing.
+/// The place of the center of mass G of a body in a drawing.
 pub enum Center {
     At(Expression),
     Missing,

@@ -31,8 +31,8 @@ pub struct File {
     name: String,
     span: Span,
     format: Format,
-    /// The local path, if it was read: when the file changes, the description is expanded
-    /// again.
+    /// The path of the file on this machine, if it was read: when the file changes, the description
+    /// is expanded again.
     pub path: Option<String>,
     pub told: Told,
 }
@@ -160,13 +160,14 @@ impl System {
     }
 }
 
-/// The file with this name, relative to the folder of `Cargo.toml`: its local path, and its text.
+/// The file with this name, relative to the folder of `Cargo.toml`: its path on this machine, and
+/// its text.
 pub fn file_beside(
     name: &str,
     place: impl Into<Extent>,
     errors: &mut Errors,
 ) -> Option<(Option<String>, String)> {
-    // cargo sets it to the folder of the compiled crate
+    // cargo sets this to the folder of the crate that is compiled
     let folder = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
     let path = PathBuf::from(folder).join(name);
     match read(&path) {

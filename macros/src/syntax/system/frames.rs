@@ -1,11 +1,11 @@
-//! Bodies of `mass: 0[kg]`: frames, which mark a place.
+//! Bodies with `mass: 0[kg]`: frames, which only mark a place.
 
 use crate::syntax::Description;
 use crate::syntax::expression::{Expression, Kind};
 
 use super::System;
 
-/// Units in which a zero mass may be written.
+/// Units of a zero mass.
 const UNITS: [&str; 2] = ["kg", "g"];
 
 impl System {

@@ -8,7 +8,7 @@ use crate::syntax::expression::{Expression, Kind};
 use super::System;
 
 impl System {
-    /// The definitions next to the bodies.
+    /// All values that are written outside the bodies.
     fn written(&self) -> impl Iterator<Item = &Expression> {
         let loads = self.drives.iter().chain(&self.forces).chain(&self.moments);
         let joints = self.joints.iter().chain(&self.cables);
@@ -19,7 +19,7 @@ impl System {
         values.chain(&self.points)
     }
 
-    /// Reports a system without bodies, whose names are unknown then.
+    /// Reports a system without bodies. Any unknown name may then be that of a body.
     pub fn check_bodies(&mut self, errors: &mut Errors) {
         if !self.bodies.is_empty() || self.has_lost_bodies {
             return;
@@ -30,7 +30,8 @@ impl System {
         self.has_lost_bodies = true;
     }
 
-    /// If something that names bodies or joints could not be read, any unknown name may be one.
+    /// If something that defines bodies or joints could not be read, any unknown name may be one of
+    /// them.
     pub fn lose_names(&mut self) {
         if !self.has_lost_bodies && !self.has_lost_joints {
             return;
@@ -64,7 +65,7 @@ impl System {
         self.top.lost.extend(lost);
     }
 
-    /// Whether the first written vector has two components.
+    /// Whether the first vector in the description has two components.
     fn looks_planar(&self) -> bool {
         let points = self.bodies.iter().flat_map(|body| &body.points);
         let points = points.filter_map(|point| point.value.as_ref());

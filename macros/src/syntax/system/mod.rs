@@ -25,12 +25,12 @@ use super::{Definition, Description, Motion};
 
 /// A whole description of a system.
 pub struct System {
-    /// The keys of the system: its name, params, inputs, locals, fields and outputs.
+    /// The keys of the whole system: its name, params, inputs, locals, fields and outputs.
     pub top: Description,
-    /// One description per body, each with the motion common to all bodies.
+    /// One description per body; each contains the motion, which all bodies share.
     pub bodies: Vec<Description>,
     pub joints: Vec<Definition>,
-    /// Entries of `joints` that carry nothing.
+    /// Entries of `joints` that are cables and carry nothing.
     pub cables: Vec<Definition>,
     pub drives: Vec<Definition>,
     /// Forces between points, and moments on bodies and between them.
@@ -39,27 +39,28 @@ pub struct System {
     pub is_planar: bool,
     /// The place of each body, if bodies and joints are drawn in one frame.
     pub centers: Option<Vec<Center>>,
-    /// The joints named after `reactions`, if any.
+    /// The joints in the parentheses of `reactions(..)`, if any.
     pub held: Option<Vec<Ident>>,
-    /// The points named after `jacobian`.
+    /// The points in the parentheses of `jacobian(..)`.
     pub points: Vec<Expression>,
-    /// For each body, the first one in the same braces.
+    /// For each body, the index of the first body in the same braces.
     pub firsts: Vec<usize>,
-    /// The file of bodies and joints.
+    /// The file that bodies and joints come from.
     pub file: Option<File>,
-    /// Joints of the file that are locked at a coordinate.
+    /// Joints of the file that are locked at a value of their coordinate.
     pub locked: Vec<Definition>,
-    /// An entry that may have named bodies, or joints, could not be read.
+    /// Whether an entry that may have defined bodies, or joints, could not be read.
     pub has_lost_bodies: bool,
     pub has_lost_joints: bool,
 }
 
-/// Occurs among the joints, but is none: it only pulls.
+/// A cable is written among the joints but is not one: it only pulls.
 pub const CABLE: &str = "cable";
-/// Occurs among the joints, but is a constraint: it keeps a distance.
+/// A link is written among the joints but is a constraint: it keeps a distance.
 pub const LINK: &str = "link";
 
-/// Lists of a system that a body does not have, or has with other entries, each with an example.
+/// Lists of a system that a body does not have, or whose entries differ from those of a body, each
+/// with an example.
 const LISTS: [(&str, &str); 6] = [
     ("bodies", "arm { mass: 1[kg], inertia: 0.1[kg * m ^ 2] }"),
     ("joints", "elbow = revolute(upper.tip, lower.hinge)"),
@@ -68,7 +69,7 @@ const LISTS: [(&str, &str); 6] = [
     ("forces", "spring = tension.between(upper.tip, lower.tip)"),
     ("moments", "load = moment(2[N * m]).on(upper)"),
 ];
-/// Keys of bodies alone.
+/// Keys that only bodies have.
 const OF_BODIES: [&str; 6] = [
     "mass",
     "inertia",
@@ -77,7 +78,7 @@ const OF_BODIES: [&str; 6] = [
     "joint_moments",
     "pole",
 ];
-/// Keys of the system alone.
+/// Keys that only systems have.
 const OF_SYSTEMS: [&str; 17] = [
     "motion",
     "constants",
@@ -97,7 +98,7 @@ const OF_SYSTEMS: [&str; 17] = [
     "locked",
     "checks",
 ];
-/// Planned keys of systems that do not exist yet.
+/// Keys of systems that are planned but do not exist yet.
 const LATER: [&str; 2] = ["reactions", "independent"];
 
 /// Parses `(runtime) Name { key: value, .. }` of a system.
@@ -241,7 +242,7 @@ impl System {
             let definition = Definition { name, value };
             match list {
                 "joints" if is_called(&definition, CABLE) => self.cables.push(definition),
-                // it carries nothing, and keeps a distance
+                // a link carries nothing: it is a constraint
                 "joints" if is_called(&definition, LINK) => self.top.constraints.push(definition),
                 "joints" => self.joints.push(definition),
                 "drives" => self.drives.push(definition),
@@ -253,13 +254,14 @@ impl System {
     }
 }
 
-/// `cable(..)`, and the methods after it.
+/// Whether a joint is `kind(..)`, with or without methods after it.
 fn is_called(joint: &Definition, kind: &str) -> bool {
     let called = joint.value.as_ref().and_then(call);
     called.is_some_and(|((word, _), _)| word == kind)
 }
 
-/// The list of a system for a key, perhaps misspelt or called as elsewhere.
+/// The list of a system that a key means, also if it is misspelt or has the name that other
+/// programs use.
 fn list_meant(word: &str) -> Option<&'static (&'static str, &'static str)> {
     let exact = LISTS.iter().find(|(list, _)| *list == word);
     let of_body = key_meant(word).is_some_and(|meant| meant == word);

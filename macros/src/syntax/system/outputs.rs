@@ -1,4 +1,4 @@
-//! `reactions(elbow, wrist)` and `jacobian(hand.tip)` in the outputs: selected joints and points.
+//! `reactions(elbow, wrist)` and `jacobian(hand.tip)` in `outputs`: the selected joints and points.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
@@ -9,7 +9,7 @@ use crate::syntax::tokens::{Entry, split, start, stream};
 use super::System;
 
 impl System {
-    /// The entry `outputs: [..]` without these arguments, which are stored.
+    /// The entry `outputs: [..]` without such arguments, which are stored separately.
     pub(super) fn without_joints(
         &mut self,
         entry: &[TokenTree],

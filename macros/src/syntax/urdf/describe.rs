@@ -13,7 +13,7 @@ use crate::syntax::xml::decimal::{Angle, Decimal};
 use crate::syntax::xml::names::ORIGIN;
 use crate::syntax::xml::{Beside, Told};
 
-/// Writes expressions whose words all underline the string that names the file.
+/// Writes expressions. Errors in any of their words underline the string that names the file.
 struct Writer {
     span: Span,
 }
@@ -77,7 +77,7 @@ impl Writer {
             kind: Kind::Record(self.word("tensor"), entries.collect()),
             extent: substance.extent,
         };
-        // the last rotation is the first one of a rotated body
+        // rotating a body applies the rotations in the reverse order
         let turns = substance.center.turns.iter().rev();
         self.turned(tensor, turns, substance.center.extent)
     }
@@ -123,7 +123,7 @@ impl Writer {
         }
     }
 
-    /// The place of the slide of a locked joint on the carried body.
+    /// The point of the carried body that a locked slide holds at the place of the joint.
     fn slid(&self, joint: &Joint, distance: &Expression) -> Definition {
         let axis = self.vector("body", &joint.axis.components, joint.axis.extent);
         let axis = self.method(axis, "normalize", Vec::new());
@@ -164,7 +164,7 @@ fn chain(first: Expression, operator: Operator, operand: Expression, extent: Ext
     }
 }
 
-/// `place - center`, a point of a body from its G.
+/// `place - center`: a point of a body, measured from its G.
 fn from_center(place: &[Decimal; 3], center: Option<&Placed>, extent: Extent) -> Expression {
     let parts = [0, 1, 2].map(|axis| {
         let place = &place[axis];
@@ -188,7 +188,7 @@ fn from_center(place: &[Decimal; 3], center: Option<&Placed>, extent: Extent) ->
 }
 
 impl Beside<'_> {
-    /// Bodies for the links and definitions for the joints.
+    /// Writes bodies for the links and definitions for the joints.
     pub fn describe(
         self,
         robot: &Robot,
@@ -202,7 +202,7 @@ impl Beside<'_> {
         let root_moves = written == Some(Welded::No);
         robot.check_masses(&carried, (root, root_moves), &self.massive(robot), errors);
         robot.check_floating(&carried, root_moves, errors);
-        // a root without mass that nothing else carries is the ground, and no body
+        // a root without mass is the ground, and no body, unless the description carries it
         let link = &robot.links[root];
         let is_absent = matches!(link.inertial, Inertial::Absent) && !self.gives_mass(&link.ident);
         let is_ground = is_absent && written.is_none();
@@ -234,7 +234,7 @@ impl Beside<'_> {
 }
 
 impl Writer {
-    /// The weld of the root.
+    /// A weld of the root to the ground.
     fn to_ground(&self, link: &Link) -> Definition {
         let zeros = [0, 1, 2].map(|_| Decimal::zero(link.extent));
         let ground = self.vector("world", &zeros, link.extent);

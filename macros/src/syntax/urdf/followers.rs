@@ -1,4 +1,4 @@
-//! Joints that follow others, as constraints.
+//! Joints that follow others, written as constraints.
 
 use proc_macro2::Span;
 
@@ -10,7 +10,7 @@ use super::mimic::Mimic;
 use super::robot::{Joint, Motion, Robot};
 
 impl Robot {
-    /// The constraints of all followers: `b_mimic = b.angle - (2 * a.angle + 0.1)`.
+    /// The constraints of all followers, such as `b_mimic = b.angle - (2 * a.angle + 0.1)`.
     pub fn followers(&self, span: Span, errors: &mut Errors) -> Vec<Definition> {
         let joints = self.joints.iter().filter(|joint| joint.locked.is_none());
         let followers = joints.filter_map(|joint| Some((joint, joint.mimic.as_ref()?)));

@@ -8,7 +8,7 @@ use crate::syntax::xml::reader::Reader;
 
 /// `multiplier * leader + offset`
 pub struct Mimic {
-    /// The name in the file.
+    /// The name of the joint in the file.
     pub leader: String,
     pub multiplier: Decimal,
     pub offset: Decimal,

@@ -1,8 +1,8 @@
 //! `urdf: "robot.urdf"`: bodies and joints from a file (the Unified Robot Description Format of
 //! ROS).
 //!
-//! The content of the file becomes one that a user could have written: a description of each link,
-//! and a definition of each joint. All numbers keep their digits.
+//! The content of the file becomes a description that a user could have written: each link is a
+//! body, and each joint is a definition. All numbers keep their digits.
 
 mod describe;
 mod followers;
@@ -20,7 +20,7 @@ use super::xml::reader::Reader;
 use super::xml::{Beside, Described, LINKS, Told, document};
 use robot::{Joint, Motion, Robot};
 
-/// Reads a text; its name and place are those of the string that names the file.
+/// Reads a text; `name` and `span` are those of the string that names the file.
 pub fn read(
     (name, span): (&str, Span),
     text: &str,
@@ -123,7 +123,7 @@ impl Beside<'_> {
     }
 }
 
-/// The parts that are read differently from the file, and those that are not used.
+/// Lists what is read differently from the text of the file, and what is not used.
 fn tell(name: &str, robot: &Robot, changed: Vec<String>, skipped: &[String]) -> Told {
     let mut told = Told {
         read_as: changed,

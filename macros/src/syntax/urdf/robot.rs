@@ -16,19 +16,19 @@ use super::mimic::Mimic;
 pub struct Robot {
     pub links: Vec<Link>,
     pub joints: Vec<Joint>,
-    /// A part could not be read, which is reported.
+    /// Whether a part could not be read, which is reported.
     pub is_lost: bool,
-    /// Links without a name here, which is reported.
+    /// Names of links that could not be taken over, which is reported.
     pub lost: Vec<String>,
     pub notes: Notes,
 }
 
-/// The remarks about a file.
+/// What a user should know about how a file was read.
 #[derive(Default)]
 pub struct Notes {
     /// Right angles that are written as decimals.
     pub right_angles: Vec<String>,
-    /// Joints with damping or friction, and with limits.
+    /// The numbers of joints with damping or friction, and with limits.
     pub damped: usize,
     pub limited: usize,
 }
@@ -42,9 +42,9 @@ pub struct Link {
 
 /// The mass properties of a link.
 pub enum Inertial {
-    /// None: it is a frame.
+    /// There are none: it is a frame.
     Absent,
-    /// An error in them is reported.
+    /// They have an error, which is reported.
     Reported,
     Known(Box<Substance>),
 }
@@ -52,9 +52,9 @@ pub enum Inertial {
 pub struct Substance {
     pub center: Placed,
     pub mass: Decimal,
-    /// xx, yy, zz, xy, yz, zx.
+    /// The entries xx, yy, zz, xy, yz, zx of the inertia.
     pub entries: [Decimal; 6],
-    /// The place of the tensor.
+    /// The place of the inertia in the file.
     pub extent: Extent,
 }
 
@@ -69,7 +69,7 @@ pub struct Joint {
     pub name: String,
     pub ident: Ident,
     pub kind: Motion,
-    /// Indices of links.
+    /// Indices of the links that it connects.
     pub parent: usize,
     pub child: usize,
     pub origin: Placed,
@@ -80,7 +80,7 @@ pub struct Joint {
     pub extent: Extent,
 }
 
-/// In the axes of the child.
+/// The axis of a joint, in the axes of the child.
 pub struct Axis {
     pub components: [Decimal; 3],
     pub extent: Extent,
@@ -134,7 +134,7 @@ impl Reader<'_> {
         });
     }
 
-    /// `<inertial>`; the inner `None` has no mass and no inertia.
+    /// `<inertial>`. The inner `None` stands for a link without mass and inertia.
     #[allow(clippy::option_option, reason = "outer: reported; inner: nothing")]
     fn substance(&mut self, node: Node<'_, '_>, notes: &mut Notes) -> Option<Option<Substance>> {
         let children = self.children(node, &["origin", "mass", "inertia"], &[]);
@@ -171,7 +171,8 @@ impl Reader<'_> {
         }))
     }
 
-    /// `<origin xyz=".." rpy="..">`, or its place in `node` if it is missing.
+    /// `<origin xyz=".." rpy="..">`, or zero if it is missing: then `node` is the element that
+    /// lacks it.
     fn placed(&mut self, node: Node<'_, '_>, is_there: bool, notes: &mut Notes) -> Option<Placed> {
         let extent = self.at(node);
         if !is_there {
@@ -293,7 +294,7 @@ impl Reader<'_> {
         place
     }
 
-    /// `<axis xyz="..">`, x if it is missing.
+    /// `<axis xyz="..">`; the x axis if it is missing.
     fn axis(
         &mut self,
         joint: Node<'_, '_>,
@@ -321,7 +322,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether `<dynamics>` has any effect.
+/// Whether `<dynamics>` sets damping or friction.
 fn is_damped(node: Node<'_, '_>) -> bool {
     let says = |name| {
         let value: Option<&str> = node.attribute(name);

@@ -16,7 +16,8 @@ impl Joint {
 }
 
 impl Robot {
-    /// The link that no joint carries, if all others depend on it; for each link the joint.
+    /// The root, which no joint carries, if it carries all other links directly or indirectly; and
+    /// for each link the joint that carries it.
     pub fn tree(
         &self,
         (name, span): (&str, Span),
@@ -59,7 +60,7 @@ impl Robot {
             }
             return None;
         };
-        // with one root, links that do not depend on it form a cycle
+        // there is only one root, so links that it does not carry form a cycle
         let hangs = |link: usize| {
             let mut above = link;
             for _ in 0..carried.len() {
@@ -74,8 +75,8 @@ impl Robot {
         Some((*root, carried))
     }
 
-    /// Checks that each rigid group that moves has mass; `added` are the links that the description
-    /// welds something to.
+    /// Checks that each rigid group that moves has mass; `added` are the links to which the
+    /// description adds mass.
     pub fn check_masses(
         &self,
         carried: &[Option<usize>],
@@ -83,7 +84,7 @@ impl Robot {
         added: &[usize],
         errors: &mut Errors,
     ) {
-        // for each link, the one at the end of the fixed joints that carry it
+        // for each link, the first link of its rigid group: the one below all fixed joints
         let first = |link: usize| {
             let mut first = link;
             while let Some(joint) = carried[first].map(|joint| &self.joints[joint]) {
@@ -120,7 +121,7 @@ impl Robot {
         }
     }
 
-    /// A floating joint moves the carried link relative to the ground.
+    /// Checks the parents of floating joints: such a joint moves its child relative to the ground.
     pub fn check_floating(&self, carried: &[Option<usize>], root_moves: bool, errors: &mut Errors) {
         for joint in &self.joints {
             if joint.kind == Motion::Free && !self.is_held(carried, joint.parent, root_moves) {
@@ -131,7 +132,7 @@ impl Robot {
         }
     }
 
-    /// Whether the ground holds a link.
+    /// Whether a link is fixed to the ground.
     fn is_held(&self, carried: &[Option<usize>], link: usize, root_moves: bool) -> bool {
         let mut link = link;
         while let Some(joint) = carried[link].map(|joint| &self.joints[joint]) {
@@ -144,7 +145,7 @@ impl Robot {
     }
 }
 
-/// `name` in `free(name)`, `kind(P, name.Q, ..)` and what may follow.
+/// `name` in a joint `free(name)` or `kind(P, name.Q, ..)`, with or without methods after it.
 fn carried_by(joint: &Expression) -> Option<&Ident> {
     let mut inner = joint;
     while let Kind::Method(receiver, _, _) = &inner.kind {
@@ -166,7 +167,7 @@ fn carried_by(joint: &Expression) -> Option<&Ident> {
     }
 }
 
-/// Whether the description carries the root as it is.
+/// Whether the joint that carries a body is a weld.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Welded {
     Yes,
@@ -174,7 +175,8 @@ pub enum Welded {
 }
 
 impl Beside<'_> {
-    /// Whether a joint of the description carries a body with this name.
+    /// Whether the description has a joint that carries a body with this name, and whether it is a
+    /// weld.
     pub fn is_carried(self, name: &Ident) -> Option<Welded> {
         let mut joints = self.joints.iter().filter_map(|joint| joint.value.as_ref());
         let joint = joints.find(|joint| carried_by(joint) == Some(name))?;

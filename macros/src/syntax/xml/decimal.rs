@@ -1,4 +1,4 @@
-//! Numbers of a file: decimal text, which stays unchanged, and right angles.
+//! Numbers in a file: decimals, which keep their digits, and right angles.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -9,7 +9,7 @@ use crate::fraction::Fraction;
 use crate::syntax::UnitExpression;
 use crate::syntax::expression::{Expression, Kind, Prefix};
 
-/// A number as it is written, with its place.
+/// A number as written, with its place.
 #[derive(Clone)]
 pub struct Decimal {
     /// The digits of a literal, without a sign.
@@ -18,13 +18,13 @@ pub struct Decimal {
     pub extent: Extent,
 }
 
-/// The greatest difference between an angle and the right angle that it stands for.
+/// The largest difference between an angle and the right angle that it is read as.
 const NEAR: f64 = 1e-9;
-/// The number of correct digits behind the point that are enough for a right angle: `1.5707963`.
+/// The correct digits after the point that make an angle a right angle: `1.5707963`.
 const NAMING: i32 = 7;
 
 impl Decimal {
-    /// `-1.5e-3`; none if it is no number.
+    /// A text such as `-1.5e-3`; `None` if it is not a number.
     pub fn parse(text: &str, extent: Extent) -> Option<Self> {
         let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
         let (mantissa, exponent) = match digits.split_once(['e', 'E']) {
@@ -81,7 +81,7 @@ impl Decimal {
         format!("{sign}{}", self.digits)
     }
 
-    /// As Rust writes it, with a digit in front of the point.
+    /// The number as a Rust literal, with a digit before the point.
     pub fn literal(&self) -> String {
         let sign = if self.is_negative && !self.is_zero() {
             "-"
@@ -114,8 +114,8 @@ impl Decimal {
         }
     }
 
-    /// Its number of right angles, if the difference is within `NEAR`, or less than one of its last
-    /// digit. Only this test uses a double; the written text comes from the digits.
+    /// The angle as a number of right angles, if it differs by less than `NEAR`, or by less than
+    /// one in its last digit. Only this test uses a double; the written text comes from the digits.
     fn right_angles(&self) -> Option<i32> {
         let angle: f64 = self.text().parse().ok()?;
         let count = (angle / FRAC_PI_2).round();
@@ -129,7 +129,7 @@ impl Decimal {
         (off < NEAR || is_named).then_some(count as i32)
     }
 
-    /// The number of digits behind the point.
+    /// The number of digits after the point.
     fn decimals(&self) -> Option<i32> {
         let split = self.digits.split_once(['e', 'E']);
         let (mantissa, exponent) = split.unwrap_or((&self.digits, "0"));
@@ -138,7 +138,7 @@ impl Decimal {
         i32::try_from(fraction.len()).ok()?.checked_sub(exponent)
     }
 
-    /// As an angle in radians; none if it does not turn.
+    /// The number as an angle in radians; `None` if it is zero.
     pub fn angle(&self) -> Option<Angle> {
         if self.is_zero() {
             return None;
@@ -153,7 +153,7 @@ impl Decimal {
 /// An angle that is not written as zero.
 #[derive(Clone)]
 pub enum Angle {
-    /// So many right angles, and what was written.
+    /// The number of right angles, and what was written.
     Right(i32, Decimal),
     General(Decimal),
 }

@@ -1,5 +1,5 @@
-//! The common parts of file formats: the elements of XML, their numbers and names, and the
-//! resulting description.
+//! What the file formats have in common: XML elements, their numbers and names, and the resulting
+//! description.
 
 pub mod decimal;
 pub mod names;
@@ -15,15 +15,15 @@ use crate::errors::{Errors, hint};
 use super::expression::{Expression, Kind};
 use super::{Declaration, Definition, Description, Load};
 
-/// The parts of the description next to a file that affect its content.
+/// The parts of the written description that affect how a file is read.
 #[derive(Clone, Copy)]
 pub struct Beside<'a> {
     pub runtime: &'a TokenStream,
     pub bodies: &'a [Description],
     pub joints: &'a [Definition],
-    /// Joints of the file that are held at a coordinate.
+    /// Joints of the file that are locked at a value of their coordinate.
     pub locked: &'a [Definition],
-    /// Fields on all bodies.
+    /// Fields that act on all bodies.
     pub fields: &'a [Load],
 }
 
@@ -40,7 +40,7 @@ pub struct Described {
     pub told: Told,
 }
 
-/// The documentation of a file.
+/// What the documentation says about a file.
 #[derive(Default)]
 pub struct Told {
     /// Content that is read differently from its text.
@@ -49,11 +49,12 @@ pub struct Told {
     pub skipped: Vec<String>,
 }
 
-/// Characters that a file may have, and links: stated limits instead of minutes of waiting.
+/// The most characters and the most links of a file. An error at these limits is better than
+/// minutes of waiting.
 const LENGTH: usize = 4_000_000;
 pub const LINKS: usize = 1_000;
 
-/// The elements of a text.
+/// The XML elements of a text.
 pub fn document<'t>(
     (name, span): (&str, Span),
     text: &'t str,
@@ -69,7 +70,7 @@ pub fn document<'t>(
 }
 
 impl Beside<'_> {
-    /// The coordinate at which a joint is held.
+    /// The value of the coordinate at which a joint is locked, if it is.
     pub fn locked(self, joint: &Ident) -> Option<Expression> {
         let found = self.locked.iter().find(|locked| locked.name == *joint)?;
         let lost = || Expression {
@@ -79,7 +80,7 @@ impl Beside<'_> {
         Some(found.value.clone().unwrap_or_else(lost))
     }
 
-    /// Reports locked names that are no joints, or are locked twice.
+    /// Reports locked names that are not joints, and joints that are locked twice.
     pub fn check_all_locked(self, known: &[String], is_lost: bool, errors: &mut Errors) {
         let mut seen: Vec<&Ident> = Vec::new();
         for name in self.locked.iter().map(|locked| &locked.name) {

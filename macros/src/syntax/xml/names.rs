@@ -1,4 +1,4 @@
-//! Names of a file as names of a description.
+//! Names in a file, turned into names in a description.
 
 use std::collections::HashSet;
 
@@ -6,22 +6,22 @@ use proc_macro2::{Ident, Span};
 
 use crate::syntax::words::{BUILT_IN, is_keyword};
 
-/// The point of each link that is the origin of its axes in the file.
+/// The name of the point of each link that is its origin in the file.
 pub const ORIGIN: &str = "origin";
 
-/// Names that are given away.
+/// The names that are already in use.
 #[derive(Default)]
 pub struct Names {
     taken: HashSet<String>,
-    /// Names that are not those of the file.
+    /// Names that differ from those in the file.
     pub changed: Vec<String>,
 }
 
 /// Why a name cannot be used.
 pub enum Refused {
-    /// It has no letter and no digit.
+    /// It has neither letters nor digits.
     Empty,
-    /// Another one becomes the same.
+    /// Another name in the file becomes the same word.
     Taken(String),
 }
 
@@ -32,7 +32,7 @@ impl Names {
         self.take(name, word, span)
     }
 
-    /// The name of a joint, which is none of a link.
+    /// The name of a joint, which must differ from those of links.
     pub fn joint(&mut self, name: &str, links: &[&Ident], span: Span) -> Result<Ident, Refused> {
         let mut word = word(name).ok_or(Refused::Empty)?;
         if links.iter().any(|link| **link == word.as_str()) {
@@ -41,7 +41,8 @@ impl Names {
         self.take(name, word, span)
     }
 
-    /// A name of something else than links and joints, with a suffix if it is one of these.
+    /// A name for something other than links and joints, with a suffix if the word is already in
+    /// use.
     pub fn fresh(&mut self, name: &str, suffix: &str, span: Span) -> Ident {
         let mut word = word(name).unwrap_or(suffix.to_owned());
         while !self.taken.insert(word.clone()) {
@@ -61,7 +62,7 @@ impl Names {
     }
 }
 
-/// `left-arm.1` as `left_arm_1`; words of Rust and of this language get an underscore behind.
+/// `left-arm.1` as `left_arm_1`. Words of Rust and of this language get an underscore at the end.
 pub fn word(name: &str) -> Option<String> {
     let letter = |letter: char| {
         if letter.is_ascii_alphanumeric() {

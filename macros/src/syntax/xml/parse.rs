@@ -5,7 +5,7 @@ use roxmltree::{Document, Error};
 /// The elements of a text, or its first error: a line and a message.
 pub fn parse(text: &str) -> Result<Document<'_>, (usize, String)> {
     Document::parse(text).map_err(|error| {
-        // the place is said in front
+        // the message already begins with the place
         let place = error.pos();
         let line = usize::try_from(place.row).unwrap_or_default();
         let tail = format!(" at {}:{}", place.row, place.col);
@@ -44,14 +44,14 @@ pub fn parse(text: &str) -> Result<Document<'_>, (usize, String)> {
     })
 }
 
-/// Marked parts: their first and last characters, and their names.
+/// Parts between marks: the marks at their beginning and end, and what they are called.
 const MARKED: [(&str, &str, &str); 3] = [
     ("<!--", "-->", "a comment"),
     ("<![CDATA[", "]]>", "`<![CDATA[`"),
     ("<?", "?>", "`<?`"),
 ];
 
-/// The part that a text leaves open at its end: its line and a message.
+/// The part that is still open at the end of a text: its line and a message.
 fn open_at_end(text: &str) -> Option<(usize, String)> {
     let mut open: Vec<(usize, &str)> = Vec::new();
     let broken = |place: usize, what: &str| {
@@ -94,7 +94,7 @@ fn open_at_end(text: &str) -> Option<(usize, String)> {
     Some((line_of(text, place), message))
 }
 
-/// The length of a tag, to the `>` outside of the values of attributes.
+/// The length of a tag up to the first `>` that is not inside an attribute value.
 fn length_of_tag(text: &str) -> Option<usize> {
     let mut quote = None;
     for (place, c) in text.char_indices() {

@@ -13,22 +13,22 @@ const ATTRIBUTES: [&str; 12] = [
     "name", "type", "link", "value", "xyz", "rpy", "ixx", "iyy", "izz", "ixy", "iyz", "ixz",
 ];
 
-/// A file that is read.
+/// A file that is being read.
 pub struct Reader<'e> {
-    /// The path as it is written.
+    /// The path as written.
     pub file: &'e str,
     /// The place of the string that names it.
     pub span: Span,
     pub errors: &'e mut Errors,
     /// Where each line begins.
     lines: Vec<usize>,
-    /// The part that is read, such as ``of link `arm` ``.
+    /// The part that is being read, such as ``of link `arm` ``.
     pub owner: String,
-    /// Elements that mean nothing here, each once.
+    /// Elements that have no meaning here, each once.
     pub skipped: Vec<String>,
-    /// Names of elements that were reported and are not read.
+    /// Names of elements that were reported and could not be read.
     pub lost: Vec<String>,
-    /// Whether there may be others.
+    /// Whether more such names may exist.
     pub has_lost_names: bool,
 }
 
@@ -53,7 +53,7 @@ impl<'e> Reader<'e> {
         1 + self.lines.partition_point(|line| *line <= start)
     }
 
-    /// The place of errors about an element, and their beginning.
+    /// The place for errors about an element, with the words that they begin with.
     pub fn at(&mut self, node: Node<'_, '_>) -> Extent {
         let (file, line) = (self.file, self.line(node));
         let (tag, owner) = (node.tag_name().name(), &self.owner);
@@ -66,7 +66,7 @@ impl<'e> Reader<'e> {
         self.errors.report(place, message)
     }
 
-    /// Reports an unknown name, unless an element that was already reported may have it.
+    /// Reports an unknown name, unless it may belong to an element that was already reported.
     pub fn no_such<'n, T>(
         &mut self,
         node: Node<'_, '_>,
@@ -80,8 +80,8 @@ impl<'e> Reader<'e> {
         self.report(node, format!("there is no {what} `{name}`{hint}"))
     }
 
-    /// All elements in `node` with a word of `known`. Any other is reported as misspelt, or is
-    /// skipped and listed.
+    /// All elements in `node` with a tag in `known`. Any other element is reported as misspelt, or
+    /// is skipped and listed.
     pub fn children<'n, 'd>(
         &mut self,
         node: Node<'n, 'd>,
@@ -121,7 +121,7 @@ impl<'e> Reader<'e> {
         }
     }
 
-    /// The one of these elements with a name; of several, the first one.
+    /// The element with this tag; if there are several, the first one.
     pub fn one<'n, 'd>(&mut self, all: &[Node<'n, 'd>], name: &str) -> Option<Node<'n, 'd>> {
         let mut found = all.iter().filter(|node| node.tag_name().name() == name);
         let first = found.next().copied();
@@ -131,10 +131,10 @@ impl<'e> Reader<'e> {
         first
     }
 
-    /// An attribute, which has to be there.
+    /// A required attribute.
     pub fn attribute<'n>(&mut self, node: Node<'n, '_>, name: &str) -> Option<&'n str> {
         let found = node.attribute(name);
-        // a misspelt one is reported already
+        // if it is misspelt, that is already reported
         let is_misspelt = node.attributes().any(|other| {
             !ATTRIBUTES.contains(&other.name()) && similar(other.name(), [name]).is_some()
         });
@@ -154,7 +154,7 @@ impl<'e> Reader<'e> {
         }
     }
 
-    /// The number in an attribute, which has to be there.
+    /// The number in a required attribute.
     pub fn number(&mut self, node: Node<'_, '_>, name: &str) -> Option<Decimal> {
         let text = self.attribute(node, name)?;
         self.decimal(node, name, text.trim())
@@ -177,7 +177,7 @@ impl<'e> Reader<'e> {
         Some(found)
     }
 
-    /// Three numbers in an attribute; zeros if it is not there.
+    /// The three numbers in an attribute; zeros if it is missing.
     pub fn three(&mut self, node: Node<'_, '_>, name: &str) -> Option<[Decimal; 3]> {
         let extent = self.at(node);
         let Some(text) = node.attribute(name) else {
@@ -197,7 +197,7 @@ impl<'e> Reader<'e> {
         Some([x, y, z])
     }
 
-    /// The name of a link or a joint, as it is used here, and as it stands in the file.
+    /// The name of a link or a joint, as it is used here and as it stands in the file.
     pub fn named<'n>(
         &mut self,
         node: Node<'n, '_>,
@@ -208,7 +208,7 @@ impl<'e> Reader<'e> {
         self.given(node, name, take).map(|ident| (ident, name))
     }
 
-    /// A name as it is used here; what cannot be one is reported, and has some other.
+    /// A name as it is used here. One that cannot be used is reported, and replaced by another.
     pub fn take(
         &mut self,
         node: Node<'_, '_>,
@@ -232,7 +232,7 @@ impl<'e> Reader<'e> {
                 format!("`{name}` is no name: it has no letter and no digit of ASCII"),
             ),
             Err(Refused::Taken(word)) => {
-                // one of the two was to have another
+                // one of the two may have been meant to have another name
                 self.has_lost_names = true;
                 let becomes = if word == name {
                     String::new()

@@ -1,4 +1,4 @@
-//! Texts of this language as expressions.
+//! Text in the language of descriptions, turned into expressions.
 
 use core::str::FromStr;
 
@@ -8,7 +8,7 @@ use crate::errors::{Errors, Extent};
 use crate::syntax::expression::{Expression, Kind};
 use crate::syntax::{Definition, UnitExpression};
 
-/// An expression; all that is said of it is said of a place in a file.
+/// An expression. Errors about any part of it are reported at a place in a file.
 pub fn written(text: &str, extent: Extent, span: Span, errors: &mut Errors) -> Option<Expression> {
     let tokens = TokenStream::from_str(text).ok()?;
     let mut expression = Expression::parse(spanned(tokens, span), errors)?;
@@ -48,7 +48,7 @@ fn spanned(tokens: TokenStream, span: Span) -> TokenStream {
     tokens.collect()
 }
 
-/// Puts an expression, and all of its parts, in a place.
+/// Gives an expression and all of its parts the same place.
 fn place(expression: &mut Expression, extent: Extent) {
     let mut pending = vec![expression];
     while let Some(part) = pending.pop() {
@@ -57,7 +57,7 @@ fn place(expression: &mut Expression, extent: Extent) {
     }
 }
 
-/// Puts `value` where `_` stands.
+/// Replaces `_` by `value`.
 pub fn filled(mut expression: Expression, value: &Expression) -> Expression {
     let mut pending = vec![&mut expression];
     while let Some(part) = pending.pop() {

@@ -1,4 +1,4 @@
-//! A body and a system, as users write them. `check.py` looks at their words through rust-analyzer.
+//! A body and a system as users write them. `check.py` queries their words through rust-analyzer.
 
 use newton_euler::prelude::*;
 

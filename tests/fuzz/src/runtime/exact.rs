@@ -1,4 +1,4 @@
-//! What can be, by exact arithmetic on the values of the doubles.
+//! Which values are possible, by exact arithmetic on the doubles.
 
 use dashu_ratio::RBig;
 

@@ -1,4 +1,4 @@
-//! Tensors, from entries, from matrices, shifted, and read.
+//! Tensors: made from entries, made from matrices, shifted, and read.
 
 use fastrand::Rng;
 use nalgebra::{Matrix3, Vector3};

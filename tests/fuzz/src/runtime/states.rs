@@ -1,4 +1,4 @@
-//! States as they are read, and maps of attitudes on anything.
+//! States that are deserialized, and maps of attitudes with arbitrary arguments.
 
 use core::fmt::Debug;
 

@@ -1,4 +1,4 @@
-//! Values as text and as bytes, whole and damaged.
+//! Values as text and as bytes, intact and damaged.
 
 use core::fmt::Debug;
 

@@ -1,4 +1,5 @@
-//! A few thousand executions of each, unoptimised as a user's compiler is, on half of its stack.
+//! A few thousand executions of each kind, unoptimized as a user's compiler is, on half of its
+//! stack.
 #![allow(missing_docs)]
 
 mod verdicts;

@@ -1,4 +1,4 @@
-//! What counts as an answer of the expander, and what as a failure.
+//! What counts as an answer of the expander, and what counts as a failure.
 
 use fuzz::flat::{Token, flatten, unflatten};
 use fuzz::verdict::{Answer, Failure, answer, keep_panics, minimised};

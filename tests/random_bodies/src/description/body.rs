@@ -1,4 +1,4 @@
-//! A body as it is described.
+//! The description of a body, as data.
 
 use super::expression::{Axes, Place, Scalar, Vector};
 use super::literal::Literal;

@@ -1,4 +1,5 @@
-//! Constraints at random, each with the unknown that keeps it: floors, paces, pins, with branches and with gates.
+//! Random constraints, each with the unknown that keeps it: floors, prescribed speeds, pins, with
+//! branches and with gates.
 
 use super::body::{Constraint, Key, Load, Motion, Param, What};
 use super::draw::Draw;

@@ -1,4 +1,4 @@
-//! Bodies at random.
+//! Draws random bodies.
 
 use fastrand::Rng;
 

@@ -1,4 +1,4 @@
-//! Loads that follow accelerations: added mass, at G and at points, alike in all directions or not.
+//! Loads that depend on accelerations: added mass, at G and at other points, isotropic or not.
 
 use super::body::{Key, Load, What};
 use super::draw::Draw;

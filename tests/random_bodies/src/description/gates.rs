@@ -1,4 +1,5 @@
-//! Scalars that are one thing up to a number and another beyond it, with numbers of every size; and scalars that are zero for a reason.
+//! Scalars that are one expression up to a number and another beyond it, with numbers of every
+//! size; and scalars that are zero for a reason.
 
 use super::body::{Key, Load, Local, Motion, What};
 use super::draw::Draw;

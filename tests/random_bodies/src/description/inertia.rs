@@ -1,4 +1,4 @@
-//! Mass and inertia at random: of bodies that can exist, well within what their parameters may do.
+//! Random masses and inertias of bodies that can exist, with room for what their parameters may do.
 
 use super::body::{Inertia, Motion, Part, Point, Solid};
 use super::draw::{Draw, whole};

@@ -1,4 +1,4 @@
-//! Numbers as they are written, and exactly what they mean.
+//! Numbers as they are written, and their exact values.
 
 use crate::wide::Wide;
 

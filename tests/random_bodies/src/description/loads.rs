@@ -1,4 +1,4 @@
-//! Loads at random: those that one meets, and any expression.
+//! Random loads: common ones, and arbitrary expressions.
 
 use super::body::{Key, Load, Motion, Potential, What};
 use super::draw::Draw;

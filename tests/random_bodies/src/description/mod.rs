@@ -1,4 +1,4 @@
-//! Descriptions of bodies as data: drawn at random, written in the language of `rigid_body!`.
+//! Descriptions of bodies as data: drawn at random, and written in the language of `rigid_body!`.
 
 pub mod body;
 pub mod constraints;

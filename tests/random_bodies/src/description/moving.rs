@@ -1,4 +1,5 @@
-//! Bodies whose motions are tried: in closed form, and with loads that are smooth and change at once.
+//! Bodies whose motions are tried: those with a closed form, and those with smooth loads and loads
+//! that change abruptly.
 
 use super::body::{Body, Inertia, Key, Load, Motion, Point, Support, What};
 use super::draw::{Draw, whole};

@@ -1,4 +1,4 @@
-//! Loads that are solved for: just as many as the support determines, and drives.
+//! Loads that are solved for: as many as the support determines, and drives.
 
 use super::body::{Key, Load, Motion, Point, Support, What};
 use super::draw::Draw;

@@ -1,4 +1,4 @@
-//! States of one's own, constants and functions of Rust, tables, and mass that changes.
+//! User-defined states, Rust constants and functions, tables, and changing mass.
 
 use super::body::Inertia;
 use super::draw::Draw;

@@ -1,4 +1,5 @@
-//! Expressions at random: of all functions and of all that a motion knows, defined everywhere.
+//! Random expressions, with all functions and all quantities of a motion, that are defined
+//! everywhere.
 
 use super::body::{Local, Motion};
 use super::draw::Draw;

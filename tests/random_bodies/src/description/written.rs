@@ -1,4 +1,4 @@
-//! A body in the words of `rigid_body!`.
+//! A body, written in the language of `rigid_body!`.
 
 mod expressions;
 

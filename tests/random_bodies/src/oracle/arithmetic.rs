@@ -1,4 +1,4 @@
-//! Scalars made of scalars, whatever these are read from.
+//! Scalars computed from scalars, wherever these come from.
 
 use std::cell::Cell;
 

@@ -1,4 +1,4 @@
-//! What does not change during a run: everything that parameters decide.
+//! What does not change during a run: everything that depends on parameters alone.
 
 use std::cell::Cell;
 

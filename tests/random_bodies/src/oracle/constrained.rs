@@ -1,4 +1,5 @@
-//! Motion under constraints: the reactions for which their second derivatives vanish, by differences along the motion.
+//! Motion under constraints: the reactions for which the second derivatives of the constraints
+//! vanish, by finite differences along the motion.
 //!
 //! ```text
 //! a(u) = a_0 + sum of u_j D_j        u_j: the unknown reactions

@@ -1,4 +1,4 @@
-//! Derivatives by differences, in 106 bits.
+//! Derivatives by finite differences, in 106 bits.
 
 use crate::wide::Wide;
 

@@ -1,4 +1,4 @@
-//! All that is asked of a body in a state.
+//! The expected values of all outputs of a body in a state.
 
 use crate::description::body::{Motion, What};
 use crate::description::expression::Axes;

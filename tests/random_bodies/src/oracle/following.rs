@@ -1,4 +1,4 @@
-//! Loads that follow accelerations, linearly: the motion with which they agree.
+//! Loads that depend linearly on accelerations, and the motion that is consistent with them.
 
 use crate::description::body::Motion;
 use crate::wide::Wide;

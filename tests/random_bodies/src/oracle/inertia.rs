@@ -1,4 +1,4 @@
-//! Mass, center of mass and inertia of a description, as in any table.
+//! The mass, center of mass and inertia of a description, by the formulas of any handbook.
 
 use crate::description::body::{Body, Inertia, Part, Solid};
 use crate::description::expression::{Place, Scalar, Unary};

@@ -1,5 +1,5 @@
-//! Derivatives of the accelerations by the coordinates of the state and by the parameters, by
-//! differences in 106 bits.
+//! The derivatives of the accelerations with respect to the coordinates of the state and the
+//! parameters, by finite differences in 106 bits.
 
 use crate::description::body::{Body, Motion};
 use crate::given::Given;

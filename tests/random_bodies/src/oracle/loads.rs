@@ -1,4 +1,4 @@
-//! Each load by itself: its force, its moment about G and about the point that is held, its potential.
+//! Each load separately: its force, its moment about G and about the held point, its potential.
 
 use crate::description::body::{Input, Key, Load, Local, Param, What};
 use crate::description::expression::{Axes, Condition, Place, Scalar, Vector as Written};

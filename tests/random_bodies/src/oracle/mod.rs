@@ -1,7 +1,8 @@
 //! The vector law in twice the precision of doubles.
 //!
-//! Nothing here is shared with the macro or the runtime. All vectors are in world axes, the balances are those of the
-//! textbook, about G or about the point that is held, and unknown loads are what is missing in both.
+//! Nothing here is shared with the macro or the runtime. All vectors are in world axes, and the
+//! balances are those of a textbook, about G or about the held point. Unknown loads are what is
+//! missing in both balances.
 
 pub mod arithmetic;
 pub mod constants;

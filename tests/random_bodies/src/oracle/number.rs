@@ -1,4 +1,4 @@
-//! Scalars that remember how large the terms were of which they are sums.
+//! Scalars that remember the sizes of the terms of which they are sums.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -1,4 +1,4 @@
-//! Potentials whose forces any textbook has.
+//! Potentials whose forces are in any textbook.
 
 use crate::description::body::Potential;
 use crate::description::expression::{Axes, Place};

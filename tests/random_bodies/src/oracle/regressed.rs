@@ -1,5 +1,5 @@
-//! The loads of a motion by inertial parameter, from the balances of a body about one of its points:
-//! `f = m a + w' x h + w x (w x h)`, `n = h x a + J w' + w x J w`.
+//! The loads of a motion per inertial parameter, from the balances of a body about one of its
+//! points: `f = m a + w' x h + w x (w x h)`, `n = h x a + J w' + w x J w`.
 
 use crate::description::body::{Key, Motion, What};
 use crate::output::Output;

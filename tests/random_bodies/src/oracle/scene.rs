@@ -1,4 +1,4 @@
-//! A body in a state: what the names of its description are there.
+//! A body in a state: the values of the names in its description.
 
 use std::cell::Cell;
 

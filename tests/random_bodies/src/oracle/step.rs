@@ -1,4 +1,4 @@
-//! A step from an instant: by how much each coordinate changes.
+//! A small step from an instant: how much each coordinate changes.
 
 use crate::description::body::Motion;
 use crate::wide::Wide;

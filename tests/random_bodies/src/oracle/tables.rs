@@ -1,4 +1,4 @@
-//! Tables of one scalar and of two.
+//! Tables of one argument and of two.
 
 #[path = "../../../interpolated/mod.rs"]
 mod interpolated;

@@ -1,4 +1,4 @@
-//! Loads with unknown components: what the balances of a known motion leave for them.
+//! Loads with unknown components: what the balances of a known motion require of them.
 
 use crate::description::body::{Key, Load, What};
 use crate::description::expression::{Axes, Scalar};

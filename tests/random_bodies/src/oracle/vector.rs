@@ -1,4 +1,4 @@
-//! Vectors in world axes that remember the size of their terms.
+//! Vectors in world axes that remember the sizes of their terms.
 
 use std::ops::{Add, Mul, Neg, Sub};
 

@@ -1,4 +1,5 @@
-//! Elementary functions, each to some 1e-30 of itself or of what a rounding of its argument would change.
+//! Elementary functions, each accurate to about 1e-30, relative to its value or to what rounding
+//! its argument would change.
 
 #![allow(clippy::unreadable_literal, reason = "doubles as they are printed")]
 

@@ -1,8 +1,9 @@
-//! Numbers of 106 bits: the sum of two doubles, the second within half a unit in the last place of the first.
+//! Numbers of 106 bits: sums of two doubles, of which the second is within half a unit in the last
+//! place of the first.
 //!
-//! T. J. Dekker, Numerische Mathematik 18 (1971) 224; M. Joldes, J.-M. Muller, V. Popescu, ACM TOMS 44 (2017) 15res. Of the
-//! crates that have such numbers, `twofloat` 0.8 divides to 53 bits and has an exponential of 11 digits, and `qd` 0.8 has no
-//! sine. `functions` has what they lack.
+//! T. J. Dekker, Numerische Mathematik 18 (1971) 224; M. Joldes, J.-M. Muller, V. Popescu, ACM TOMS
+//! 44 (2017) 15res. Of the crates with such numbers, `twofloat` 0.8 divides to 53 bits and has an
+//! exponential with 11 digits, and `qd` 0.8 has no sine. `functions` has what they lack.
 
 use std::cmp::Ordering;
 use std::iter::Sum;

@@ -1,4 +1,4 @@
-//! How far doubles are from what they round.
+//! How far results in doubles are from the values that they round.
 
 use fastrand::Rng;
 

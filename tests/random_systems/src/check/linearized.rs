@@ -1,4 +1,4 @@
-//! Linearisation, against differences of the accelerations that the law holds true.
+//! Linearization, compared with finite differences of the accelerations that satisfy the law.
 
 use std::ops::Range;
 

@@ -1,4 +1,4 @@
-//! What the compiler says of a system, against the law.
+//! What the compiler says about a system, compared with the law.
 
 pub mod compiled;
 mod doubles;

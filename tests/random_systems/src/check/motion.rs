@@ -1,4 +1,4 @@
-//! Accelerations and what the joints carry with them.
+//! Accelerations, and the loads that the joints then transmit.
 
 use super::Checks;
 use crate::law::scene::{Carried, Loads};

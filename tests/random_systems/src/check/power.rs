@@ -1,4 +1,4 @@
-//! The power of the loads, against how energies change.
+//! The power of the loads, compared with the changes of energies.
 
 use super::Checks;
 use super::state::{State, slope};

@@ -1,4 +1,4 @@
-//! Regressors: the loads of a motion along its freedoms, by the inertial parameters of each body.
+//! Regressors: the loads of a motion along its freedoms, per inertial parameter of each body.
 
 use fastrand::Rng;
 

@@ -1,4 +1,4 @@
-//! A state at random, with any motion and any loads of joints.
+//! A random state, with an arbitrary motion and arbitrary loads of joints.
 
 use fastrand::Rng;
 

@@ -1,4 +1,4 @@
-//! Energy, momentum, Jacobians, and what is said.
+//! Energy, momentum, Jacobians, and the texts about them.
 
 use std::fmt::Write as _;
 

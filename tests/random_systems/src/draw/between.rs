@@ -1,4 +1,4 @@
-//! What acts between points and bodies at random.
+//! Random loads between points and between bodies.
 
 use super::number::literal;
 use super::sizes::Turning;

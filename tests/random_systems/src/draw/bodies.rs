@@ -1,4 +1,4 @@
-//! Bodies at random.
+//! Random bodies.
 
 use super::{Drawing, Keys, Masses};
 use crate::law::kind::Kind;

@@ -1,5 +1,5 @@
-//! Joints that close loops, drawn so that they are closed in a state that is drawn first: what is
-//! apart there is the rounding of the numbers that are written.
+//! Joints that close loops. They are drawn so that the loops are closed in a state that is drawn
+//! first, up to the rounding of the numbers that are written.
 
 use super::Drawing;
 use super::number::literal;

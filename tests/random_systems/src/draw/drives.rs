@@ -1,4 +1,4 @@
-//! What drives joints at random.
+//! Random drives of joints.
 
 use std::ops::Range;
 

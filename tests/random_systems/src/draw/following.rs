@@ -1,4 +1,4 @@
-//! Loads that follow accelerations.
+//! Loads that depend on accelerations.
 
 use super::Drawing;
 use super::number::literal;

@@ -1,4 +1,4 @@
-//! Joints at random.
+//! Random joints.
 
 use super::Drawing;
 use super::number::{Written3, literal};

@@ -1,5 +1,5 @@
-//! Linkages of the plane, with links of any lengths: drawn where they are closed, and there all axes are
-//! along those of the world.
+//! Linkages in the plane, with links of any lengths. They are drawn in a closed state, in which all
+//! axes are along those of the world.
 
 use fastrand::Rng;
 

@@ -1,4 +1,4 @@
-//! What acts on the bodies of a system at random.
+//! Random loads on the bodies of a system.
 
 use super::number::literal;
 use super::sizes::Turning;

@@ -1,4 +1,4 @@
-//! A system at random: its description, and what it means.
+//! A random system: its description, and what it means.
 
 mod between;
 mod bodies;

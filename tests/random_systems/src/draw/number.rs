@@ -1,4 +1,4 @@
-//! Numbers as they are written, and what they are.
+//! Numbers as they are written, and their values.
 
 use fastrand::Rng;
 

@@ -1,4 +1,4 @@
-//! Energies at random, each with the loads that are its slopes, which are taken by hand.
+//! Random energies, each with the loads that are its slopes, which are derived by hand.
 
 use super::between::Line;
 use super::sizes::Scalar;

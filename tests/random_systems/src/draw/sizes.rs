@@ -1,4 +1,4 @@
-//! Numbers and vectors that change with the state.
+//! Scalars and vectors that change with the state.
 
 use super::Drawing;
 use crate::law::kind::Kind;

@@ -1,4 +1,4 @@
-//! User-defined states, the rates that they have, tables, and functions of Rust.
+//! User-defined states and their rates, tables, and Rust functions.
 
 use super::Drawing;
 use super::number::{Numbers, literal};

@@ -1,5 +1,5 @@
-//! Links without mass, from a point to a point: as long as these are apart in the state in which loops
-//! are closed.
+//! Massless links between two points. Each is as long as the distance of its points in the state in
+//! which the loops are closed.
 
 use super::Drawing;
 use crate::law::kind::{Kind, Pose, Rates};

@@ -1,4 +1,4 @@
-//! A system at random as it is written.
+//! A random system, as it is written.
 
 use std::fmt::Write as _;
 

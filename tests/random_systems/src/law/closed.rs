@@ -1,6 +1,6 @@
-//! Loops: a joint that closes one carries a link without mass, which is where the body is. Coordinates
-//! of such joints are unknowns like those of the tree, and what holds body and link together is
-//! a load with all components.
+//! Loops. A joint that closes one carries a massless link at the place of the body. The coordinates
+//! of such joints are unknowns like those of the tree, and a load with all components holds the
+//! body and the link together.
 
 use super::kind::{Motion, Rates, vector_of};
 use super::linear::{self, Solution};

@@ -1,4 +1,4 @@
-//! Functions of Rust that descriptions call, with their derivatives.
+//! Rust functions that descriptions call, with their derivatives.
 
 use crate::wide::Wide;
 

@@ -1,4 +1,4 @@
-//! How joints move what they carry: poses, with their first and second derivatives in time.
+//! How joints move what they carry: poses, with their first and second time derivatives.
 
 use super::space::{
     Mat3, NONE, Vec3, ZERO, add, apply, cross, crossing, dot, identity, product, scale, subtract,

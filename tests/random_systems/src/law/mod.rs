@@ -1,4 +1,5 @@
-//! The law of each body by itself, (1.3) and (1.4), the loads of its joints unknown, in 106 bits.
+//! The law of each body separately, (1.3) and (1.4), with the loads of its joints as unknowns, in
+//! 106 bits.
 
 pub mod closed;
 pub mod functions;

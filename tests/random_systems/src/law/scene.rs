@@ -1,8 +1,9 @@
-//! Where bodies are and how they move, what acts on them, and what their joints carry.
+//! Where bodies are and how they move, what acts on them, and what their joints transmit.
 //!
-//! Poses are carried through the tree with their first and second derivatives in time, so that
-//! velocity products follow from the product rule. Of given accelerations the loads of the joints
-//! follow body by body from the tips; a motion is true if along each freedom they are what drives it.
+//! Poses are carried through the tree with their first and second time derivatives, so that
+//! velocity products follow from the product rule. For given accelerations, the loads of the joints
+//! follow body by body, starting at the tips. A motion is correct if, along each freedom, the load
+//! is the drive there.
 
 use std::cell::{Cell, RefCell};
 

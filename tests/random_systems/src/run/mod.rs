@@ -1,4 +1,4 @@
-//! Many systems, each by its number.
+//! Runs many systems, each identified by its number.
 
 mod report;
 mod smaller;

@@ -1,4 +1,4 @@
-//! What came of many systems.
+//! The results for many systems.
 
 use std::collections::BTreeMap;
 use std::fmt;

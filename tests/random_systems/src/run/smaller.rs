@@ -1,4 +1,4 @@
-//! The smallest description of what fails.
+//! The smallest description that fails in the same way.
 
 use super::{Plan, failure, kind};
 use crate::check::compiled::Compiled;

@@ -1,8 +1,8 @@
-//! Tables in files: `table(alpha, "lift.csv")`, a column `table(alpha, "polar.csv", "drag")`, two
-//! numbers `table(alpha, speed, "lift.csv")`.
+//! Tables in files: `table(alpha, "lift.csv")`; with the name of a column,
+//! `table(alpha, "polar.csv", "drag")`; with two arguments, `table(alpha, speed, "lift.csv")`.
 //!
-//! Commas separate cells; empty lines and those that begin with `#` are skipped. The first
-//! row is a header if none of its cells is a number.
+//! Commas separate cells. Empty lines and lines that begin with `#` are skipped. The first row is a
+//! header if none of its cells is a number.
 
 use crate::errors::{Errors, Extent, every, hint};
 use crate::model::Dimension;
@@ -16,7 +16,7 @@ struct Row<'t> {
     cells: Vec<&'t str>,
 }
 
-/// A file, and the place that names it.
+/// A file, and the place in the description that names it.
 pub struct File<'t> {
     name: &'t str,
     place: Extent,
@@ -44,7 +44,7 @@ impl<'t> File<'t> {
         Some(file)
     }
 
-    /// Every row must be as long as the first.
+    /// Reports a row that is not as long as the first.
     fn check_as_long(&self, errors: &mut Errors) -> Option<()> {
         let expected = self.rows[0].cells.len();
         every(self.rows.iter().map(|row| {
@@ -59,7 +59,8 @@ impl<'t> File<'t> {
         Some(())
     }
 
-    /// Grid points in the first column, values in the named column, or in the only other one.
+    /// The grid points in the first column, and the values in the named column, or in the only
+    /// other one.
     pub fn columns(
         mut self,
         asked: Option<(&str, Extent)>,
@@ -111,8 +112,9 @@ impl<'t> File<'t> {
         errors.report(self.place, message)
     }
 
-    /// A row of grid points for the second number, after an ignored cell, and rows of grid points
-    /// of the first, each with its values.
+    /// A table of two arguments. The first row has the grid points of the second argument, after a
+    /// cell that is ignored. Each further row begins with a grid point of the first argument, and
+    /// then has the values.
     pub fn grid(mut self, errors: &mut Errors) -> Option<Grid> {
         if self.rows[0].cells.len() < 3 {
             let message = format!(
@@ -134,7 +136,7 @@ impl<'t> File<'t> {
         })
     }
 
-    /// The cells of a row after the first.
+    /// The numbers in a row, except its first cell.
     fn cells(&self, row: &Row<'_>, errors: &mut Errors) -> Option<Column> {
         let cells = row.cells[1..].iter();
         plain(every(cells.map(|cell| self.number(row, cell, errors)))?)
@@ -178,7 +180,7 @@ impl<'t> File<'t> {
 }
 
 /// Numbers without a unit.
-#[allow(clippy::unnecessary_wraps, reason = "the end of a chain")]
+#[allow(clippy::unnecessary_wraps, reason = "it ends chains of `?`")]
 fn plain(numbers: Vec<(Number, Extent)>) -> Option<Column> {
     Some(Column {
         numbers,

@@ -1,4 +1,4 @@
-//! Rust functions of the user.
+//! Calls of the user's Rust functions.
 
 use proc_macro2::Ident;
 
@@ -8,7 +8,7 @@ use crate::symbolic::Foreign;
 use crate::syntax::Expression;
 
 impl Lowering<'_> {
-    /// The value of the function with this index, converted by its units.
+    /// The value of the function with this index, converted to SI units.
     pub fn foreign(
         &mut self,
         number: usize,

@@ -4,7 +4,7 @@ use crate::errors::Extent;
 use crate::model::Dimension;
 use crate::symbolic::{Function, Graph, Id, Number, Table};
 
-/// The interpolation of a table.
+/// How a table is interpolated.
 #[derive(Clone, Copy, Default)]
 pub struct Course {
     pub is_cubic: bool,
@@ -34,14 +34,14 @@ impl Column {
             .collect()
     }
 
-    /// The place of the first number that does not exceed the previous one.
+    /// The place of the first number that is not greater than the one before it.
     pub fn first_back(&self) -> Option<Extent> {
         let mut pairs = self.numbers.windows(2);
         let back = pairs.find(|pair| !(pair[1].0.clone() - pair[0].0.clone()).is_positive());
         back.map(|pair| pair[1].1)
     }
 
-    /// The same in a unit of this size.
+    /// Converts the numbers from a unit of this size and dimension.
     pub fn scale(&mut self, factor: &Number, dimension: Dimension) {
         self.dimension = dimension;
         for (number, _) in &mut self.numbers {
@@ -50,7 +50,7 @@ impl Column {
     }
 }
 
-/// The value of a table of one number.
+/// The value of a table of one argument.
 pub fn looked_up(
     graph: &mut Graph,
     x: Id,
@@ -67,14 +67,15 @@ pub fn looked_up(
 }
 
 impl Grid {
-    /// The weight of each row, a table in x, times the value of the row at y, also a table.
+    /// The sum over all rows of the weight of the row, a table in x, times the value of the row at
+    /// y, also a table.
     ///
-    /// For cubics the slopes across the rows are also evaluated at y, each a cubic through the
-    /// slopes at the grid points: a bicubic polynomial in each rectangle, with continuous slopes.
-    /// At the grid points the slopes are those of the cubics along rows and columns, which are
-    /// limited (the first step of R. Carlson and F. Fritsch, Monotone Piecewise Bicubic
-    /// Interpolation, SIAM J. Numer. Anal. 22, 1985, 386; between the grid lines nothing is
-    /// limited).
+    /// For cubics, the slopes across the rows are interpolated too: at y, each is a cubic through
+    /// the slopes at the grid points. The result is a bicubic polynomial in each rectangle, with
+    /// continuous slopes. At the grid points, the slopes are those of the cubics along rows and
+    /// columns, which are limited (the first step of R. Carlson and F. Fritsch, Monotone Piecewise
+    /// Bicubic Interpolation, SIAM J. Numer. Anal. 22, 1985, 386). Between the grid lines nothing
+    /// is limited.
     pub fn looked_up(&self, graph: &mut Graph, [x, y]: [Id; 2], course: Course) -> Option<Id> {
         let (rows, columns) = (self.rows.values(), self.columns.values());
         let across = if course.is_cubic {
@@ -107,7 +108,7 @@ impl Grid {
         Some(sum)
     }
 
-    /// The increments of the columns from row to row, at each grid point, for each row.
+    /// The slopes of the columns from row to row: for each row, one at each of its grid points.
     fn slopes_across(&self, rows: &[Number]) -> Option<Vec<Vec<Number>>> {
         let mut across = vec![Vec::new(); rows.len()];
         for column in 0..self.columns.numbers.len() {

@@ -1,4 +1,4 @@
-//! Tables: `table(alpha, [-0.2, 0, 0.2], [-1.1, 0.1, 1.2][N])`, for two numbers
+//! Tables: `table(alpha, [-0.2, 0, 0.2], [-1.1, 0.1, 1.2][N])`; of two arguments,
 //! `table(alpha, speed, [..], [..], [[..], [..]])`.
 
 use proc_macro2::Ident;
@@ -20,7 +20,7 @@ const FORM: &str = "write `table(x, [0, 1, 2], [0, 1, 4])`: a scalar, where the 
      `table(x, y, [0, 1], [0, 1, 2], [[0, 1, 4], [1, 2, 5]])`, a list of values for each x";
 const OF_FILES: &str = "a table of a file is read at one scalar, `table(x, \"lift.csv\")`, with the name of a column \
      `table(x, \"polar.csv\", \"drag\")`, or at two, `table(x, y, \"lift.csv\")`";
-/// The interpolation of a table between and beyond its values.
+/// How a table is interpolated between its values, and continued beyond them.
 const WORDS: [&str; 4] = ["linear", "cubic", "held", "extrapolated"];
 
 impl Lowering<'_> {
@@ -57,8 +57,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// `(x, "lift.csv")`, `(x, "polar.csv", "drag")` or `(x, y, "lift.csv")`; a unit after the last
-    /// string is that of the values.
+    /// `(x, "lift.csv")`, `(x, "polar.csv", "drag")` or `(x, y, "lift.csv")`. A unit after the last
+    /// string is the unit of the values.
     fn table_of_file(&mut self, written: &[Expression], course: Course) -> Option<Value> {
         let texts = written
             .iter()
@@ -103,10 +103,7 @@ impl Lowering<'_> {
         }
     }
 
-    #[allow(
-        clippy::option_option,
-        reason = "outer: reported; inner: none is written"
-    )]
+    #[allow(clippy::option_option, reason = "outer: reported; inner: not written")]
     fn unit_of_values(&mut self, last: &Expression) -> Option<Option<(Number, Dimension)>> {
         match &last.kind {
             Kind::Unit(_, unit) => Some(Some(lower_unit(unit, self.errors)?)),
@@ -134,7 +131,7 @@ impl Lowering<'_> {
         Some(Value::Scalar(value, values.dimension))
     }
 
-    /// Values in rows and columns.
+    /// A table of two arguments, with values in rows and columns.
     fn table_of_two(
         &mut self,
         [x, y]: [&Expression; 2],
@@ -171,7 +168,7 @@ impl Lowering<'_> {
         ))
     }
 
-    /// A list of values for each row, of one dimension.
+    /// The lists of values, one for each row, all of one dimension.
     fn rows_of_values(
         &mut self,
         list: &Expression,
@@ -205,7 +202,7 @@ impl Lowering<'_> {
         Some((found, dimension))
     }
 
-    /// The scalar that is looked up.
+    /// The scalar at which a table is evaluated.
     fn argument(&mut self, written: &Expression) -> Option<(Id, Dimension)> {
         match self.value(written)? {
             Value::Scalar(id, dimension) => Some((id, dimension)),

@@ -1,4 +1,4 @@
-//! Inertia along the coordinate of a joint alone, as of a geared rotor: `.armature(J)`.
+//! Inertia along the coordinate of a joint only, such as that of a geared rotor: `.armature(J)`.
 
 use crate::errors::Errors;
 use crate::lower::expressions::Lowering;
@@ -10,7 +10,7 @@ use crate::syntax::{Called, Expression};
 const WHAT: &str = "the armature of a joint";
 
 impl Reader<'_> {
-    /// `.armature(J)`, if given; the inner `None` is none.
+    /// The argument of `.armature(J)`. The inner `None` means that it is not written.
     #[allow(clippy::option_option, reason = "outer: reported; inner: not written")]
     pub fn armature(
         &mut self,

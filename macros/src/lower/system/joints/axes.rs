@@ -16,7 +16,7 @@ use crate::lower::system::reading::reader::{Reader, still};
 type Turn = (Components, Id);
 
 impl Reader<'_> {
-    /// The directions of the parts of a joint between these bodies, the first perhaps the ground.
+    /// The directions of the parts of a joint between these bodies. The first may be the ground.
     pub fn directions(
         &mut self,
         between: (Option<usize>, usize),
@@ -60,7 +60,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The pitch of a screw; the inner `None` is any other joint.
+    /// The pitch of a screw. The inner `None` stands for any other joint.
     #[allow(clippy::option_option, reason = "outer: reported; inner: not a screw")]
     pub fn pitch(
         &mut self,
@@ -80,7 +80,8 @@ impl Reader<'_> {
         })
     }
 
-    /// A unit vector, in the axes of the carried body at zero coordinates, if it is turned like this.
+    /// A unit vector in the axes of the carried body, which at zero coordinates are rotated by
+    /// `turned` from those of the carrier.
     fn direction(
         &mut self,
         between: (Option<usize>, usize),
@@ -119,7 +120,7 @@ impl Reader<'_> {
         Some(back)
     }
 
-    /// A unit vector as it is written, and its axes.
+    /// A unit vector as written, and its axes.
     fn framed_direction(
         &mut self,
         body: usize,
@@ -153,7 +154,7 @@ impl Reader<'_> {
         found
     }
 
-    /// All `.turned(axis, angle)`, each in the axes rotated by those before.
+    /// All `.turned(axis, angle)`, each in the axes that the preceding ones have rotated.
     pub fn turned(
         &mut self,
         between: (Option<usize>, usize),
@@ -162,7 +163,7 @@ impl Reader<'_> {
     ) -> Option<Vec<Turn>> {
         let mut turned = Some(Vec::new());
         let may_turn = !self.system.is_drawn();
-        // the outermost method is written last
+        // methods are listed from the outermost, which is written last
         let others = methods.iter().rev();
         let others = others.filter(|(method, _)| *method != "driven" && *method != "armature");
         for (method, arguments) in others {
@@ -191,7 +192,7 @@ impl Reader<'_> {
         turned
     }
 
-    /// The error of a method after a joint.
+    /// The error for a method after a joint.
     fn why_not_behind(&self, method: &Ident) -> String {
         let word = method.to_string();
         let message = match (word.as_str(), self.system.is_drawn()) {
@@ -244,9 +245,9 @@ impl Reader<'_> {
     }
 }
 
-/// Two unit vectors that make right-handed axes with a unit vector of numbers: the two axes after
-/// the nearest axis (the first in a tie), rotated with that axis by the shortest
-/// rotation.
+/// Two unit vectors that make right-handed axes with a constant unit vector. They are the two
+/// coordinate axes that follow the one nearest to it (the first in a tie), rotated by the smallest
+/// rotation that takes the nearest axis to the vector.
 pub fn across(graph: &mut Graph, normal: Components) -> Option<[Components; 2]> {
     let is_symbol = |id: Id| matches!(graph.node(id), Node::Symbol(_));
     if graph.depends_on(&normal, is_symbol) {
@@ -261,7 +262,7 @@ pub fn across(graph: &mut Graph, normal: Components) -> Option<[Components; 2]> 
     if sizes[nearest] < 0.0 {
         (axis, second) = (graph.negate_vector(axis), graph.negate_vector(second));
     }
-    // v - (v . n) / (1 + e . n) (e + n), across e
+    // v - (v . n) / (1 + e . n) (e + n), for v perpendicular to e
     let one = graph.one();
     let along = graph.dot(axis, normal);
     let more = graph.add(one, along);

@@ -9,7 +9,7 @@ use super::axes::across;
 use super::joint::ReadJoint;
 
 impl Reader<'_> {
-    /// Separates the joints that close loops from the others.
+    /// Separates joints that close loops from the other joints.
     pub fn closings(
         &mut self,
         closing: &[usize],

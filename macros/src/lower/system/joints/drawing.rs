@@ -12,7 +12,8 @@ use crate::syntax::{Called, Center, Expression, Kind};
 use super::joint::{End, first_name_of};
 use crate::lower::system::reading::reader::Reader;
 
-/// `(x, y, z)` in the axes of the drawing, which are those of the ground and of all bodies.
+/// Writes `(x, y, z)` as a vector in the axes of the drawing, which are those of the ground and of
+/// all bodies.
 pub fn in_drawing(written: &Expression) -> Expression {
     let kind = match &written.kind {
         Kind::Tuple(parts) => {
@@ -60,7 +61,8 @@ impl Reader<'_> {
         Some(Origin { first, center })
     }
 
-    /// The ends of a joint between bodies, or a body and the ground, where `.at(..)` says.
+    /// The ends of a joint at the place that `.at(..)` says, between bodies or a body and the
+    /// ground.
     pub fn drawn_ends(
         &mut self,
         kind: &JointKind,
@@ -103,7 +105,7 @@ impl Reader<'_> {
         Some(ends)
     }
 
-    /// The index of a body by its name, or the ground.
+    /// The index of a body, given by its name, or the ground.
     #[allow(clippy::option_option, reason = "outer: reported; inner: the ground")]
     fn drawn_body(
         &self,

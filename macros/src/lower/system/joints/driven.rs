@@ -45,8 +45,8 @@ fn has_numbers(kind: &JointKind) -> bool {
 }
 
 impl Reader<'_> {
-    /// `.driven(f)`, if given: the coordinates as functions of time, with their rates and
-    /// accelerations; the inner `None` is none.
+    /// `.driven(f)`: the coordinates as functions of time, with their rates and accelerations. The
+    /// inner `None` means that it is not written.
     #[allow(clippy::option_option, reason = "outer: reported; inner: not written")]
     pub fn driven(
         &mut self,
@@ -115,8 +115,8 @@ impl Reader<'_> {
         Some([value, rate, acceleration])
     }
 
-    /// The rate of a function of time, of inputs with their rates, and of user-defined states;
-    /// `written` has this value.
+    /// The rate of a function of time, of inputs with given rates, and of user-defined states.
+    /// `written` is the value and the text of that function in the description.
     fn rate(
         &mut self,
         function: Id,
@@ -144,7 +144,7 @@ impl Reader<'_> {
         Some(self.work.graph.sum(&terms))
     }
 
-    /// The rate of a state, which is read before the bodies move.
+    /// The rate of a state. It must be known before the bodies move.
     fn rate_of_state(
         &mut self,
         symbol: Id,
@@ -167,11 +167,12 @@ impl Reader<'_> {
             errors.push(place, message);
             return None;
         }
-        // its mistakes are reported with those of the other rates
+        // errors in it are reported with those of the other rates
         silently(|errors| self.at_top(errors, |lowering| lowering.rate_of(top, symbol)))
     }
 
-    /// Reports an input without a rate of its own, in the motion of a joint or in a rate there.
+    /// Reports an input whose rate is not given, in the motion of a joint or in the rate of a state
+    /// there.
     fn report_held(
         &mut self,
         symbol: Id,
@@ -195,7 +196,7 @@ impl Reader<'_> {
         errors.push(place, message);
     }
 
-    /// The first name in the motion of a joint that follows user-defined states.
+    /// The first name in the motion of a joint that depends on user-defined states.
     fn place_of_states(&mut self, value: Id, written: &Expression, errors: &mut Errors) -> Extent {
         self.at_top(errors, |lowering| {
             let own = lowering.own_states(&[value]);

@@ -12,14 +12,14 @@ use crate::syntax::{CABLE, Called, Definition, Expression, Kind, LINK, call};
 
 use crate::lower::system::reading::reader::Reader;
 
-/// A joint after reading, of which it is not known yet whether it carries a body or closes a loop.
+/// A joint that is read. It is not known yet whether it carries a body or closes a loop.
 pub struct ReadJoint {
     pub connection: Connection,
     /// The motion of its coordinates, if it is prescribed.
     pub driven: Option<Rates>,
-    /// The inertia along its coordinate alone.
+    /// The inertia along its coordinate only.
     pub armature: Option<Id>,
-    /// The place of the name of the carried body.
+    /// Where the name of the carried body is written.
     pub mention: proc_macro2::Span,
 }
 
@@ -32,7 +32,8 @@ impl Deref for ReadJoint {
 }
 
 impl ReadJoint {
-    /// The acceleration along a freedom, given as its rate, if it is prescribed.
+    /// The prescribed acceleration along a freedom, if there is one. The freedom is given by its
+    /// rate.
     pub fn given(&self, (rate, part): (Variable, usize)) -> Option<Id> {
         let acceleration = match rate {
             Variable::Velocity => Variable::LinearAcceleration,
@@ -43,15 +44,15 @@ impl ReadJoint {
     }
 }
 
-/// The error of what is no point.
+/// The error for something that is not a point.
 const EXPECTED: &str =
     "expected a point of a body, such as `arm.tip`, or of the ground, `world(..)`";
 
-/// The error of a vector in body axes without a body.
+/// The error for a vector in body axes without a body.
 const DIRECTION: &str =
     "expected a point, such as `arm.tip` or `world(..)`, and this is a direction";
 
-/// A point of a body, by its index, or of the ground, and its offset there.
+/// A point: a body, by its index, or the ground, and the offset there.
 pub type End = (Option<usize>, Components);
 
 /// The kind of joint at the start of an expression, and the methods after it.
@@ -107,7 +108,7 @@ fn check_count(
 }
 
 impl Reader<'_> {
-    /// Reads all joints; an error in one hides no other.
+    /// Reads all joints. An error in one hides no errors in others.
     pub fn joints(&mut self, errors: &mut Errors) -> Vec<Option<ReadJoint>> {
         let written: Vec<&Definition> = self.system.joints.iter().collect();
         written
@@ -262,7 +263,7 @@ impl Reader<'_> {
         })
     }
 
-    /// A point of a body, by its index, or of the ground, and its offset there.
+    /// A point: a body, by its index, or the ground, and the offset there.
     pub fn anchor(&mut self, written: &Expression, errors: &mut Errors) -> Option<End> {
         if let Kind::Name(name) = &written.kind
             && let Some(body) = self

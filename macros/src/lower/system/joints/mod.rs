@@ -1,4 +1,5 @@
-//! Joints: their syntax, which carry and which close loops, and the motion of the carried bodies.
+//! Joints: their syntax, which of them carry bodies and which close loops, and the motion of the
+//! carried bodies.
 
 mod armature;
 mod axes;

@@ -1,4 +1,4 @@
-//! The motion of the bodies of a tree: their states, from the ground to the tips.
+//! The motion of the bodies of a tree: their states, from the ground up.
 
 use crate::model::{
     Attitude, Connection, Coordinate, Frame, Meaning, Part, Rates, Shape, State, TreeJoint,
@@ -10,18 +10,19 @@ use super::joint::ReadJoint;
 use crate::lower::system::reading::body::Draft;
 use crate::lower::system::reading::reader::{Reader, still};
 
-/// The motion of a body in the making: the place of its joint, and its motion.
+/// The motion of a body while the parts of its joint are applied, and the place of the joint.
 struct MotionInMaking {
     frame: Frame,
     position: Vector,
     velocity: Vector,
     /// In the axes of the frame.
     angular_velocity: Components,
-    /// If loads depend on accelerations: that of the position, and in the axes of the frame.
+    /// Present if loads depend on accelerations: that of the position, and the angular one in the
+    /// axes of the frame.
     accelerations: Option<(Vector, Components)>,
 }
 
-/// The angular rate and its derivative; the displacement of a slide, with both of its derivatives.
+/// The angular rate and its derivative; the displacement of a slide and both of its derivatives.
 const TURNING: [Variable; 2] = [Variable::AngularVelocity, Variable::AngularAcceleration];
 const SLIDING: [Variable; 3] = [
     Variable::Position,
@@ -30,7 +31,7 @@ const SLIDING: [Variable; 3] = [
 ];
 
 impl Reader<'_> {
-    /// Gives each body of the tree its state, by its joint.
+    /// Gives each body of the tree its state, which follows from its joint.
     pub fn motions(
         &mut self,
         order: Vec<usize>,
@@ -115,7 +116,7 @@ fn symbols(
     Rates(all.collect())
 }
 
-/// The acceleration of a point of a body at this offset, and of the body.
+/// The acceleration of a point of a body at this offset, and the angular acceleration of the body.
 fn accelerations_at(
     work: &mut Workspace,
     carrier: Option<&State>,
@@ -165,7 +166,7 @@ impl MotionInMaking {
         }
     }
 
-    /// Applies all parts of a joint, and returns their frames.
+    /// Applies all parts of a joint, and returns the frames after them.
     fn through(
         &mut self,
         work: &mut Workspace,
@@ -201,7 +202,8 @@ impl MotionInMaking {
         frames
     }
 
-    /// Position, velocity and acceleration of G, from the point at which the joint holds the body.
+    /// Position, velocity and acceleration of G. `pin` is the point at which the joint holds the
+    /// body.
     fn center(&self, work: &mut Workspace, body: Frame, pin: Components) -> [Vector; 3] {
         let back = work.graph.negate_vector(pin);
         let swept = work.graph.cross(self.angular_velocity, back);
@@ -218,8 +220,8 @@ impl MotionInMaking {
         ]
     }
 
-    /// Continues in a frame that rotates relative to the last one at a rate, with its derivative,
-    /// both in its axes.
+    /// Continues in a frame that rotates relative to the last one. The rate of this rotation and
+    /// its derivative are in the axes of the new frame.
     fn enter(&mut self, work: &mut Workspace, frame: Frame, [rate, second]: [Components; 2]) {
         let carried = work.turn(self.angular_velocity, self.frame, frame);
         if let Some((_, angular)) = &mut self.accelerations {
@@ -235,7 +237,7 @@ impl MotionInMaking {
         self.frame = frame;
     }
 
-    /// Applies a part of a joint.
+    /// Applies one part of a joint.
     fn pass(
         &mut self,
         work: &mut Workspace,
@@ -282,7 +284,7 @@ impl MotionInMaking {
         }
     }
 
-    /// Moves freely, in the plane or in space.
+    /// Applies a part that moves freely, in the plane or in space.
     fn float(&mut self, work: &mut Workspace, frame: Frame, of: &Rates) {
         let zero = work.graph.zero();
         let get = |variable: Variable, part: usize| of.get(variable, part).unwrap_or(zero);
@@ -305,7 +307,8 @@ impl MotionInMaking {
         self.enter(work, frame, rates);
     }
 
-    /// Moves along a direction that rotates with the frame: by a distance, with its derivatives.
+    /// Applies a slide along a direction that rotates with the frame: the distance and its
+    /// derivatives.
     fn slide(
         &mut self,
         work: &mut Workspace,

@@ -1,4 +1,4 @@
-//! The public quantities of a moving body, and of its joint.
+//! The quantities of a moving body, and of its joint, that others can use.
 
 use crate::lower::expressions::{BodyMotion, Value};
 use crate::model::{
@@ -10,7 +10,7 @@ use crate::lower::system::reading::body::Draft;
 use crate::lower::system::reading::reader::Reader;
 
 impl Reader<'_> {
-    /// Registers the motion of the body for others.
+    /// Registers the motion of a body, for others to use.
     pub fn tell_of(&mut self, body: usize, state: &State) {
         let values = self.values_of_motion(state);
         let known = &mut self.members.bodies[body];
@@ -24,7 +24,7 @@ impl Reader<'_> {
         known.values.extend(values);
     }
 
-    /// The named quantities of a motion, after the name of its body.
+    /// The quantities of a motion, by the words that follow the name of the body.
     pub fn values_of_motion(&mut self, state: &State) -> Vec<(&'static str, Value)> {
         let mut turning = |components: Components, dimension: Dimension| {
             if self.system.is_planar {
@@ -49,7 +49,8 @@ impl Reader<'_> {
         ]
     }
 
-    /// `attitude`; for a planar body the sum of the angles of the joints that carry it.
+    /// Defines `attitude`; for a planar body, it is the sum of the angles of the joints that carry
+    /// it.
     pub fn define_attitude(&mut self, draft: &mut Draft<'_>, is_told: bool) {
         let value = if self.system.is_planar {
             let mut angles = Vec::new();
@@ -75,7 +76,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The coordinates of a joint with their rates, by their names in its state, and their
+    /// The coordinates of a joint with their rates, by their names in its state, and the
     /// accelerations.
     pub fn joint_values(&mut self, joint: &TreeJoint) -> Vec<(&'static str, Value)> {
         self.values_of_joint(joint, &joint.coordinates)
@@ -111,7 +112,7 @@ impl Reader<'_> {
         values
     }
 
-    /// A scalar or a vector of a joint: this variable, where a field has its components.
+    /// A scalar or a vector of a joint: the components of this variable that belong to a field.
     fn value_of_field(
         &mut self,
         joint: &TreeJoint,
@@ -127,7 +128,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The vector of several components of a state.
+    /// The vector made of several components of a state.
     fn vector_of(&mut self, joint: &TreeJoint, variable: Variable, parts: &[Id]) -> Vector {
         let body = joint.frames.last().copied().unwrap_or(Frame::WORLD);
         if matches!(

@@ -1,4 +1,5 @@
-//! Checks that joints make a tree: each body is carried once, and all are carried by the ground.
+//! Checks that the joints form a tree: each body is carried once, and all are carried by the
+//! ground, directly or indirectly.
 
 use crate::errors::Errors;
 use crate::model::Holds;
@@ -7,8 +8,8 @@ use super::joint::ReadJoint;
 use crate::lower::system::reading::reader::Reader;
 
 impl Reader<'_> {
-    /// The joints in an order in which each carrier precedes what it carries, and those that close
-    /// loops: the first written joint of a body carries it.
+    /// The joints in an order in which each carrier precedes what it carries, and the joints that
+    /// close loops. The first joint written for a body carries it.
     pub fn tree(
         &self,
         joints: &[Option<ReadJoint>],
@@ -18,7 +19,7 @@ impl Reader<'_> {
         let is_lost = self.system.has_lost_joints || self.system.has_lost_bodies;
         let mut is_sound = joints.iter().all(Option::is_some) && !is_lost;
         let (carried_by, closing) = self.carriers(joints, &mut is_sound, errors);
-        // the error in a joint may be that it names no body
+        // a joint with an error may have been meant to carry the body
         if is_sound {
             for (body, _) in bodies
                 .iter()
@@ -81,7 +82,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a joint may close a loop, or why not.
+/// Whether a joint may close a loop; if not, why.
 fn may_close(joint: &ReadJoint) -> Result<(), &'static str> {
     if joint.kind.holds == Holds::Center {
         Err(
@@ -102,7 +103,8 @@ fn may_close(joint: &ReadJoint) -> Result<(), &'static str> {
     }
 }
 
-/// Orders joints after those that carry their carriers, with the bodies that they carry.
+/// Orders joints, with the bodies that they carry, so that each comes after the one that carries
+/// its carrier.
 fn in_order(joints: &[Option<ReadJoint>], carried_by: &[Option<usize>]) -> (Vec<usize>, Vec<bool>) {
     let mut order: Vec<usize> = Vec::new();
     let mut placed = vec![false; carried_by.len()];

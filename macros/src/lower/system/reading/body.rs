@@ -1,4 +1,5 @@
-//! The bodies of a system: first their points, and all the rest when their motion is known.
+//! The bodies of a system. Their points are read first, and everything else once their motion is
+//! known.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -25,14 +26,14 @@ pub struct Draft<'a> {
     pub mass: Mass,
     pub composed: Option<Composed>,
     pub drawn: Drawn,
-    /// Points, and their dependencies, that depend on the motion of the body.
+    /// Points that depend on the motion of the body, and what they depend on.
     pub late: Vec<Definition>,
-    /// Once the joints are known.
+    /// The state, once the joints are known.
     pub state: Option<State>,
 }
 
 impl<'a> Reader<'a> {
-    /// Reads the points and the mass of a body, and registers them for others.
+    /// Reads the points and the mass of a body, and registers them, for others to use.
     pub fn points(
         &mut self,
         number: usize,
@@ -90,7 +91,7 @@ impl<'a> Reader<'a> {
         draft
     }
 
-    /// Reads the points that depend on the motion of bodies, now that it is known, or replaced.
+    /// Reads the points that depend on the motion of bodies, once it is known or replaced.
     pub fn late_points(&mut self, drafts: &mut [Draft<'_>], errors: &mut Errors) {
         let defaults = self.defaults.clone();
         let mut wrong = HashSet::new();
@@ -113,7 +114,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The place of a body's G in a drawing; for composed bodies it follows from the parts.
+    /// The place of G of a body in a drawing. For composed bodies, it follows from the parts.
     fn drawn(&mut self, number: usize, body: &Description, errors: &mut Errors) -> Drawn {
         match self.system.centers.as_ref().and_then(|all| all.get(number)) {
             Some(center) if body.composition.is_none() => {
@@ -124,7 +125,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// An unknown state, before the system moves.
+    /// A state of symbols, for a body whose motion is unknown.
     fn unknown_state(&mut self, frame: Frame) -> State {
         let kinds = [LoadKind::Force, LoadKind::Moment];
         let [axes, turning] = kinds.map(|kind| kind.axes(self.system.is_planar));
@@ -149,7 +150,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads a part of a body, which sees the declarations of the whole system.
+    /// Reads a part of a body. It can use the declarations of the whole system.
     pub fn in_body<T>(
         &mut self,
         draft: &mut Draft<'_>,
@@ -191,8 +192,8 @@ impl<'a> Reader<'a> {
         result
     }
 
-    /// Everything that depends on the motion of the bodies: their other definitions, inertia and
-    /// loads.
+    /// Reads everything that depends on the motion of the bodies: their other definitions, inertia
+    /// and loads.
     pub fn bodies(
         &mut self,
         drafts: &mut [Draft<'_>],
@@ -204,7 +205,7 @@ impl<'a> Reader<'a> {
         let mut reported = HashSet::new();
         for (number, draft) in drafts.iter_mut().enumerate() {
             let first = self.system.firsts[number];
-            // errors in the points of a copy hide none in the rest of the first one
+            // errors in the points of a copy do not hide errors in other parts of the first body
             let silent = if wrong.contains(&first) && first != number {
                 &mut *wrong
             } else {
@@ -229,7 +230,7 @@ impl<'a> Reader<'a> {
         errors: &mut Errors,
     ) -> Option<Member> {
         let body = draft.description;
-        // cycles are reported already
+        // cycles are already reported
         let (order, _) = silently(|errors| definition_order(body, errors));
         let (_, rest) = split_at_points(body, &order);
         let defaults = self.defaults.clone();
@@ -291,8 +292,9 @@ fn first_unknown(load: &syntax::Load) -> Option<Extent> {
     found
 }
 
-/// Removes from all bodies the fields in which they fall equally, and returns their acceleration;
-/// this many loads of each body are the fields of the system, in their order.
+/// Removes from all bodies the fields in which they fall with the same acceleration, and returns
+/// this acceleration. The first `fields` loads of each body are the fields of the system, in their
+/// order.
 pub fn common_gravity(work: &mut Workspace, bodies: &mut [Member], fields: usize) -> Components {
     let mut gravity = work.graph.zeros();
     let mut bodies: Vec<&mut Member> = bodies
@@ -318,7 +320,8 @@ pub fn common_gravity(work: &mut Workspace, bodies: &mut [Member], fields: usize
     gravity
 }
 
-/// The acceleration of a body by a field, if it acts at its G and is the same in all states.
+/// The acceleration that a field gives to a body, if the field acts at G and is the same in all
+/// states.
 fn fall(work: &mut Workspace, body: &Member, load: &Load) -> Option<Components> {
     let offset = load.point.offset(body.state.body);
     let at_center = offset.is_some_and(|offset| work.graph.is_zero_vector(&offset));

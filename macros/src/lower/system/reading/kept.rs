@@ -1,4 +1,4 @@
-//! Constraints in the course of reading, and their loads.
+//! Constraints while they are read, and their loads.
 
 use proc_macro2::Ident;
 use quote::format_ident;
@@ -11,7 +11,7 @@ use crate::syntax::{Definition, Description};
 use super::reader::Reader;
 
 impl Reader<'_> {
-    /// Adds constraints, those of a body with its name as a prefix; `None` if errors were reported.
+    /// Adds constraints; those of a body get its name as a prefix. `None` if errors were reported.
     pub fn keep(&mut self, found: Option<Vec<(Constraint, Id)>>, body: Option<&Ident>) {
         let (Some(kept), Some(found)) = (&mut self.kept, found) else {
             self.kept = None;
@@ -30,8 +30,8 @@ impl Reader<'_> {
 }
 
 impl Lowering<'_> {
-    /// Reads constraints, each with the symbol of its load, and gives the names of these
-    /// loads a meaning. `first` is the index of the first one.
+    /// Reads constraints, each with the symbol of its load, and defines the names of these loads.
+    /// `first` is the index of the first one.
     pub fn kept(
         &mut self,
         description: &Description,
@@ -57,8 +57,8 @@ impl Lowering<'_> {
         Some(constraints.into_iter().zip(loads).collect())
     }
 
-    /// The load of a constraint: a scalar or a vector, like the constraint. Its power is
-    /// its product with the rate of the constraint.
+    /// The load of a constraint: a scalar or a vector, like the constraint. Its product with the
+    /// rate of a constraint of positions, or with a constraint of velocities itself, is a power.
     fn load_that_keeps(
         &mut self,
         written: &Definition,
@@ -89,7 +89,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// The values of constraints, in the current reading.
+    /// The values of constraints, as they are read now.
     pub fn values_kept(&mut self, description: &Description) -> Option<Vec<Id>> {
         let mut all = Vec::new();
         for written in &description.constraints {

@@ -1,4 +1,4 @@
-//! The context of reading the parts of a system: the names, the bodies.
+//! The context in which the parts of a system are read: the names, the bodies.
 
 pub mod body;
 mod kept;

@@ -1,4 +1,4 @@
-//! The names of a system: all of them, the ambiguous ones, and those of changing quantities.
+//! The names of a system: all of them, the ambiguous ones, and those of quantities that change.
 
 use std::collections::HashSet;
 
@@ -10,14 +10,14 @@ use crate::lower::expressions::BUILT_IN;
 use crate::model::{Constraint, Outline};
 use crate::syntax::{self, Definition, Expression, Kind};
 
-/// The names of all bodies, and then of all joints.
+/// The names of all bodies, followed by those of all joints.
 pub fn declared(system: &syntax::System) -> Vec<String> {
     let bodies = system.bodies.iter().map(|body| &body.name);
     let names = bodies.chain(system.joints.iter().map(|joint| &joint.name));
     names.map(ToString::to_string).collect()
 }
 
-/// Reads a body; the error of one of several copies is reported once.
+/// Reads a body. An error that all copies of a body share is reported once.
 pub fn for_copy<T>(
     first: usize,
     number: usize,
@@ -50,7 +50,7 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
     let bodies = system.bodies.iter().map(|body| (&body.name, "body"));
     let joints = system.joints.iter().map(|joint| (&joint.name, "joint"));
     let cables = system.cables.iter().map(|cable| (&cable.name, "cable"));
-    // their loads are fields next to joints
+    // the loads of constraints are fields, as joints are
     let constraints = top.constraints.iter().map(|one| (&one.name, "constraint"));
     for (name, what) in bodies.chain(joints).chain(cables).chain(constraints) {
         if BUILT_IN.contains(&name.to_string().as_str()) {
@@ -74,7 +74,7 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
     repeated
 }
 
-/// Reports joints with the name of the solved drive of another joint, because both are
+/// Reports joints that have the name of the solved drive of another joint, because both would be
 /// fields, and leaves out that drive.
 pub fn check_driving(system: &syntax::System, outline: &mut Outline, errors: &mut Errors) {
     outline.driving.retain(|(driven, drive)| {
@@ -90,9 +90,9 @@ pub fn check_driving(system: &syntax::System, outline: &mut Outline, errors: &mu
     });
 }
 
-/// Reports loads of constraints with the name of another field of the reactions, such as
-/// `pin_x` of the constraint `pin` and of a joint. Constraints with the same name are reported
-/// by their own names.
+/// Reports loads of constraints that have the name of another field of the reactions, such as
+/// `pin_x` of a constraint `pin` if there is a joint `pin_x`. Constraints that have the same name
+/// themselves are reported elsewhere.
 pub fn check_loads(
     system: &syntax::System,
     outline: &Outline,
@@ -121,7 +121,7 @@ pub fn check_loads(
     }
 }
 
-/// Reports names of a body with a meaning for the whole system, and returns them.
+/// Reports and returns names of a body that already have a meaning in the whole system.
 pub fn check_own_names(
     system: &syntax::System,
     body: &syntax::Description,
@@ -151,7 +151,7 @@ pub fn check_own_names(
     repeated
 }
 
-/// The locals that depend on the motion of the system.
+/// The names that depend on the motion of the system: bodies, joints, and locals that use them.
 pub fn moving_locals(system: &syntax::System) -> HashSet<String> {
     let bodies = system.bodies.iter().map(|body| body.name.to_string());
     let joints = system.joints.iter().map(|joint| joint.name.to_string());
@@ -173,14 +173,14 @@ pub fn moving_locals(system: &syntax::System) -> HashSet<String> {
     }
 }
 
-/// The same, directly.
+/// The locals among these, in their order.
 pub fn late_locals(system: &syntax::System) -> Vec<String> {
     let moving = moving_locals(system);
     let locals = system.top.locals.iter().map(|local| local.name.to_string());
     locals.filter(|name| moving.contains(name)).collect()
 }
 
-/// Whether any expression contains the word for an acceleration of a body, a joint or a point.
+/// Whether any expression contains a word for the acceleration of a body, a joint or a point.
 pub fn mentions_accelerations(system: &syntax::System) -> bool {
     let of = |list: &[Definition]| {
         let mut values = list.iter().filter_map(|one| one.value.as_ref());

@@ -1,4 +1,4 @@
-//! The context of reading the parts of a system, and the definitions next to its bodies.
+//! The context in which the parts of a system are read, and the definitions outside its bodies.
 
 use std::collections::HashSet;
 
@@ -16,14 +16,14 @@ use super::names::{
     check_driving, check_members, declared, late_locals, mentions_accelerations, moving_locals,
 };
 
-/// The context of reading the parts of a system.
+/// The context in which the parts of a system are read.
 pub struct Reader<'a> {
     pub system: &'a syntax::System,
     pub work: Workspace,
     pub scope: Scope,
     pub members: Members,
     pub motion: Motion,
-    /// Whether accelerations are mentioned.
+    /// Whether the description mentions accelerations.
     pub follows_accelerations: bool,
     /// Whether drives are solved for.
     pub is_inverse: bool,
@@ -33,14 +33,14 @@ pub struct Reader<'a> {
     pub defaults: Defaults,
     /// The number of given derivatives of each input.
     pub derivatives: Vec<usize>,
-    /// The constraints read so far; `None` if one of them was reported.
+    /// The constraints read so far; `None` if an error in one was reported.
     pub kept: Option<Constraints>,
     /// The index of the load of the first constraint among the parts of reactions.
     pub first_load: usize,
 }
 
 impl<'a> Reader<'a> {
-    /// Only names are read so far.
+    /// Begins to read: only names are known so far.
     pub fn new(system: &'a syntax::System, outline: &mut Outline, errors: &mut Errors) -> Self {
         let mut repeated = check_names(&system.top, errors);
         repeated.extend(check_members(system, errors));
@@ -68,7 +68,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads params and inputs, and the locals that are fixed.
+    /// Reads params, inputs, and the locals that do not depend on the motion.
     pub fn fixed(&mut self, outline: &mut Outline, errors: &mut Errors) {
         let top = &self.system.top;
         self.defaults = self.at_top(errors, |lowering| lowering.declarations(top, outline));
@@ -76,7 +76,7 @@ impl<'a> Reader<'a> {
         self.locals(errors, false);
     }
 
-    /// Reads the definitions next to the bodies.
+    /// Reads something outside the bodies.
     pub fn at_top<T>(
         &mut self,
         errors: &mut Errors,
@@ -99,8 +99,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// The locals of the system: first those that mention no body, joint or time, and later the
-    /// others.
+    /// The locals of the system: first those that use no body or joint, and later the others.
     pub fn locals(&mut self, errors: &mut Errors, is_late: bool) {
         let locals = &self.system.top.locals;
         let moves = moving_locals(self.system);
@@ -137,7 +136,7 @@ pub fn names_of_constraints(description: &syntax::Description) -> Vec<String> {
     written.map(|one| one.name.to_string()).collect()
 }
 
-/// A body with unknown motion.
+/// The state of a body whose motion is unknown.
 pub fn still(body: Frame, time: Id) -> State {
     let zeros = Workspace::default().graph.zeros();
     State {
@@ -155,7 +154,7 @@ pub fn still(body: Frame, time: Id) -> State {
     }
 }
 
-/// The points that names stand for, as others see them; `late` are names that have no value yet.
+/// The points of a body, by the names that others use; `late` are names that have no value yet.
 pub fn points(
     work: &mut Workspace,
     scope: &Scope,

@@ -1,6 +1,6 @@
-//! Closed states, found in doubles with the defaults of parameters, and the number of rows that are
-//! independent there and remain so in motion. This selects a form of the equations; no claim
-//! follows from it.
+//! Closed states, found numerically with the defaults of parameters, and the number of rows that
+//! are independent in these states and remain so in motion. This only selects a form of the
+//! equations; nothing is claimed because of it.
 
 use std::collections::HashMap;
 
@@ -10,13 +10,13 @@ use crate::symbolic::{Coordinate, Id};
 use super::super::constraints::ConstraintRow;
 use super::numbers::{Random, Span, solve};
 
-/// The number of initial states, and the limit of steps from each.
+/// The number of initial states, and the most steps from each.
 const STARTS: u64 = 24;
 const STEPS: usize = 60;
-/// The displacement of a closed state to see whether it moves.
+/// How far a closed state is displaced to see whether it can move.
 const MOVED: f64 = 0.05;
 
-/// The change of a state without given motion.
+/// How a state changes, apart from prescribed motions.
 pub struct Coordinates {
     /// The rates of the open coordinates.
     pub rates: Vec<Id>,
@@ -24,7 +24,7 @@ pub struct Coordinates {
     pub places: Vec<Coordinate>,
 }
 
-/// The rows, and the coordinates on which they depend.
+/// The rows, and the coordinates that they depend on.
 pub struct Assembly<'a> {
     work: &'a Workspace,
     rows: Vec<&'a ConstraintRow>,
@@ -62,10 +62,10 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// Whether each row is independent of those before it in closed states that move. `None` if as
-    /// many rows are independent there as elsewhere.
+    /// Whether each row is independent of the rows before it, in closed states that can move.
+    /// `None` if as many rows are independent there as in any state.
     pub fn independent(&self) -> Option<Vec<bool>> {
-        // without open coordinates nothing moves
+        // without open coordinates, nothing moves
         if self.rates.is_empty() {
             return None;
         }
@@ -81,7 +81,7 @@ impl<'a> Assembly<'a> {
             self.moves(&values, &mut random)
                 .then(|| self.independent_at(&values))
         });
-        // folded states have fewer independent rows, but other states are meant
+        // folded states have fewer independent rows, but they are not the states that are meant
         let found = closed.max_by_key(|found| count(found))?;
         (count(&found) < most).then_some(found)
     }
@@ -106,7 +106,7 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// Unknown quantities get random-looking, constant values.
+    /// The values of `roots`. Unknown symbols get arbitrary constant values.
     fn evaluate(&self, roots: &[Id], values: &Values) -> Vec<f64> {
         self.work.graph.evaluate(roots, |id| {
             let known = values.get(&id).copied();
@@ -127,8 +127,8 @@ impl<'a> Assembly<'a> {
             .collect()
     }
 
-    /// Whether each row is independent of those before it. Slopes by each coordinate are divided
-    /// by their largest, as a distant point has large slopes by angles.
+    /// Whether each row is independent of the rows before it. The slopes along each coordinate are
+    /// divided by the largest of them, because a distant point has large slopes along angles.
     fn independent_at(&self, values: &Values) -> Vec<bool> {
         let mut rows = self.slopes(values);
         for freedom in 0..self.rates.len() {
@@ -142,7 +142,7 @@ impl<'a> Assembly<'a> {
         rows.into_iter().map(|row| span.take(row)).collect()
     }
 
-    /// Finds a nearby closed state by Newton's method with damping: the displacement of each
+    /// Finds a nearby closed state by damped Newton steps, and returns the displacement of each
     /// coordinate.
     fn close(&self, values: &mut Values) -> Option<Vec<f64>> {
         let held: Vec<usize> = (0..self.rows.len())
@@ -174,7 +174,7 @@ impl<'a> Assembly<'a> {
         is_closed.then_some(all)
     }
 
-    /// A state with coordinates changed by these amounts.
+    /// The state with its coordinates changed by these amounts.
     fn moved(&self, values: &Values, step: &[f64]) -> Values {
         let mut rates = values.clone();
         rates.extend(self.rates.iter().copied().zip(step.iter().copied()));
@@ -190,7 +190,7 @@ impl<'a> Assembly<'a> {
         moved
     }
 
-    /// Whether the system can move on, with rows as dependent as they are here.
+    /// Whether the system can move on to a state with equally many independent rows.
     fn moves(&self, values: &Values, random: &mut Random) -> bool {
         let slopes = self.slopes(values);
         let mut span = Span::default();

@@ -1,5 +1,5 @@
-//! Rows that depend on each other in closed states: the motion, and the constraint loads of least
-//! squares.
+//! Rows that depend on each other in closed states: the motion, and the constraint loads with the
+//! least sum of squares.
 //!
 //! ```text
 //! S l = r        S = A M^-1 A^T, of rank k in closed states, where r is in its range
@@ -7,11 +7,11 @@
 //! l = N_k r / e_k        N_1 = 1,  N_(j+1) = e_j - S N_j,  e_j = tr(S N_j) / j
 //! ```
 //!
-//! by the theorem of Cayley and Hamilton on the range: `e_k` is the sum of all minors of k rows,
-//! and no row is preferred. S has no negative eigenvalue, so `e_k` vanishes only where the rank is
-//! less. That the rank is k is not proved and not assumed: if `S l` differs from r by more than
-//! rounding and the distance of the state from a closed one, the result is NaN. Otherwise all rows
-//! are satisfied and all balances hold, and this determines the motion.
+//! This is the Cayley-Hamilton theorem on the range. `e_k` is the sum of all principal minors of k
+//! rows, so no row is preferred. S has no negative eigenvalue, so `e_k` vanishes only where the
+//! rank is below k. That the rank is k is neither proved nor assumed: if `S l` differs from r by
+//! more than rounding and the distance of the state from a closed one explain, the result is NaN.
+//! Otherwise all rows are satisfied and all balances hold, which determines the motion.
 
 use crate::mechanics::tree::MassMatrix;
 use crate::model::Workspace;
@@ -23,10 +23,11 @@ use super::guard::{Closeness, guard};
 use super::known::Keeper;
 use super::semidefinite::{Solver, product};
 
-/// Rows of one joint and of one dimension, and the number of independent ones.
+/// Rows of one joint that have the same dimension, and which of them are independent.
 pub struct Group {
     rows: Vec<usize>,
-    /// Where closed states were found, by row: those are a choice among others.
+    /// For each row, whether it is independent of those before it in closed states. Other choices
+    /// of rows are possible.
     is_independent: Vec<bool>,
 }
 
@@ -36,7 +37,7 @@ impl Group {
     }
 }
 
-/// Groups of rows. `independent` marks the rows that are independent of those before them.
+/// The groups of rows; `independent` marks the rows that are independent of those before them.
 pub fn groups(graph: &Graph, kept: &[(Keeper, ConstraintRow)], independent: &[bool]) -> Vec<Group> {
     let mut groups: Vec<(Option<(usize, bool)>, Group)> = Vec::new();
     for (number, ((keeper, _), is_new)) in kept.iter().zip(independent).enumerate() {
@@ -61,24 +62,24 @@ pub fn groups(graph: &Graph, kept: &[(Keeper, ConstraintRow)], independent: &[bo
     groups.into_iter().map(|(_, group)| group).collect()
 }
 
-/// The effect of each row of `groups` once the masses and the always independent rows are
-/// eliminated.
+/// What remains for the rows of `groups` once the masses and the rows that are always independent
+/// are eliminated.
 struct Left {
     groups: Vec<Group>,
     /// The rows of all groups, in order.
     rows: Vec<usize>,
-    /// Accelerations and the loads of the others, without loads of these rows, and by a unit of
-    /// each.
+    /// The accelerations and the loads of the other rows: without loads of these rows, and per unit
+    /// load of each of these rows.
     base: Vec<Id>,
     units: Vec<Vec<Id>>,
     matrix: Vec<Vec<Id>>,
     right: Vec<Id>,
-    /// By row, a bound of the diagonal of `matrix`.
+    /// For each row, a bound of its diagonal entry in `matrix`.
     bounds: Vec<Id>,
 }
 
-/// Solves for accelerations and loads, if no loads depend on them; none if there is no need or no
-/// way.
+/// Solves for accelerations and loads, if no loads depend on these. `None` if this is not needed or
+/// not possible.
 pub fn dependent(
     work: &mut Workspace,
     matrix: &MassMatrix,
@@ -133,7 +134,7 @@ pub fn dependent(
     })
 }
 
-/// Loads in the order of all rows, from those of rows in another order.
+/// The loads in the order of all rows, from loads that are ordered by `rows`.
 fn by_row(graph: &Graph, rows: &[usize], (first, others): (&[Id], &[Id])) -> Vec<Id> {
     let mut loads = vec![graph.zero(); rows.len()];
     for (row, load) in rows.iter().zip(first.iter().chain(others)) {
@@ -203,15 +204,15 @@ fn left(
 }
 
 impl Left {
-    /// The number of dependent rows of each group.
+    /// The dependent rows, by their index among the rows of all groups.
     fn spare(&self) -> Vec<usize> {
         let all = self.groups.iter().flat_map(|group| &group.is_independent);
         let spare = all.enumerate().filter(|(_, is_new)| !**is_new);
         spare.map(|(own, _)| own).collect()
     }
 
-    /// A unit of the load of a row, with loads of others that balance it: of the rows that are
-    /// always independent, and of these. `count` is the number of accelerations.
+    /// A unit load of one row, and the loads that balance it: those of the rows that are always
+    /// independent, and those of these rows. `count` is the number of accelerations.
     fn balanced(
         &self,
         graph: &mut Graph,
@@ -230,7 +231,7 @@ impl Left {
     }
 }
 
-/// The equations for the effect of a single unit of a load.
+/// The equations for the effect of a unit load of one row.
 fn pushed(graph: &Graph, equations: &[Equation], slopes: &[Id]) -> Vec<Equation> {
     let zero = graph.zero();
     let rights = slopes.iter().copied().chain(std::iter::repeat(zero));
@@ -253,7 +254,7 @@ fn combined(graph: &mut Graph, base: &[Id], units: &[Vec<Id>], factors: &[Id]) -
     all.collect()
 }
 
-/// One if all rows hold with these loads, otherwise NaN.
+/// One if all rows are satisfied with these loads, otherwise NaN.
 fn guard_of(
     graph: &mut Graph,
     left: &Left,

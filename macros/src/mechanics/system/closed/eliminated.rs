@@ -1,4 +1,4 @@
-//! Accelerations and loads together, by elimination: the masses first.
+//! Accelerations and loads, solved for together by elimination: the masses first.
 
 use crate::mechanics::tree::MassMatrix;
 use crate::model::Workspace;
@@ -9,35 +9,35 @@ use super::super::reduced::{LoadedRow, together};
 use super::known::Keeper;
 use super::unsettled::{open, without_column};
 
-/// The solution for a system that is held by rows.
+/// The solution for a system with rows.
 pub struct Found {
-    /// Accelerations of the open coordinates.
+    /// The accelerations of the open coordinates.
     pub accelerations: Vec<Id>,
-    /// Loads of the rows.
+    /// The loads of the rows.
     pub loads: Vec<Id>,
     /// Whether the motion does not depend on the loads.
     pub is_resolved: bool,
-    /// Rows whose loads are not determined, with those that can replace each, and the loads
-    /// of all rows that balance one unit of it.
+    /// Rows whose loads are not determined. For each: the rows that can replace it, and the loads
+    /// of all rows that balance one unit of its load.
     pub spare: Vec<(usize, Vec<usize>, Vec<Id>)>,
-    /// Loads of all rows that balance each other in closed states.
+    /// Sets of loads of all rows that balance each other in closed states.
     pub loose: Vec<Vec<Id>>,
-    /// The rows that follow from others there, if any.
+    /// For each row, whether it follows from others in closed states.
     pub follows: Vec<bool>,
-    /// Coordinates whose inertia is cancelled by the loads that depend on accelerations.
+    /// Coordinates whose inertia is cancelled by loads that depend on accelerations.
     pub light: Vec<usize>,
 }
 
-/// The symbols on which loads may depend.
+/// The symbols that loads may depend on.
 #[derive(Clone, Copy)]
 pub struct Following<'a> {
     /// The symbols of the loads of rows.
     pub loads: &'a [Option<Id>],
-    /// The symbols of the accelerations of open freedoms.
+    /// The symbols of the accelerations of open coordinates.
     pub accelerations: &'a [Id],
 }
 
-/// Solves for accelerations and loads; dependent loads are given by these symbols.
+/// Solves for accelerations and loads. Loads may depend on the symbols in `following`.
 pub fn eliminated(
     work: &mut Workspace,
     matrix: &MassMatrix,
@@ -48,7 +48,8 @@ pub fn eliminated(
     let rows: Vec<&ConstraintRow> = kept.iter().map(|(_, row)| row).collect();
     let equations = equations(work, matrix, &rows, following);
     let solved = work.graph.solve(equations.clone(), count + kept.len());
-    // balanced combinations: a unit of each undetermined load, with the required loads of others
+    // loads that balance each other: a unit of each undetermined load, with the loads of others
+    // that it needs
     let mut spare = Vec::new();
     for (row, others) in open(&solved, count) {
         let equations = without_column(&mut work.graph, &equations, count + row);
@@ -72,8 +73,8 @@ pub fn eliminated(
     }
 }
 
-/// `M q'' - A^T l = f` and `A q'' = -b`, for the accelerations and then the loads l; the part of f
-/// that depends on these, by its symbols, is on the left.
+/// `M q'' - A^T l = f` and `A q'' = -b`, for the accelerations and then the loads l. The part of f
+/// that depends on these, through their symbols, is moved to the left side.
 pub fn equations(
     work: &mut Workspace,
     matrix: &MassMatrix,
@@ -109,14 +110,14 @@ pub fn equations(
             pushes: pushes.collect(),
             slopes: row.slopes.clone(),
             right: work.graph.negate(row.bias),
-            // where it is trivial, its load is zero
+            // where the constraint is trivial, its load is zero
             own: row
                 .active
                 .map_or(zero, |active| work.graph.select(active, zero, one)),
         }
     });
     let rows: Vec<LoadedRow> = rows.collect();
-    // without dependent loads, the remainder of their rows is `-A M^-1 A^T`
+    // if no loads depend on unknowns, elimination leaves `-A M^-1 A^T` for the rows
     let of_load = if is_followed || is_fed_back {
         Size::Beside
     } else {
@@ -124,8 +125,8 @@ pub fn equations(
     };
     let mut equations = together(work, (&masses, &driving), &rows, of_load);
     if is_fed_back {
-        // the contribution of loads to masses need not be positive; slopes of rows cancel where
-        // loops are closed, so masses are divided by first
+        // what loads add to masses need not be positive; but slopes of rows cancel where loops are
+        // closed, so masses are the first divisors
         let size = if rows.is_empty() {
             Size::Terms
         } else {

@@ -1,29 +1,31 @@
-//! Checks of rows that were not solved for: to rounding, and to the distance of a state from a
-//! closed one.
+//! Checks of rows that were not solved for. They allow for rounding, and for the distance of a
+//! state from a closed one.
 
 use crate::symbolic::{Graph, Id, Number};
 
 use super::super::constraints::ConstraintRow;
 use super::known::Keeper;
 
-/// The possible rounding of a row, relative to its terms.
+/// The rounding error that a row may have, relative to its terms.
 const ROUNDING: f64 = 1e-12;
-/// If a state is off a closed one by some fraction, rows may be off by this multiple of it.
+/// If a state is off a closed one by some fraction, a row may be off by this multiple of the
+/// fraction.
 const REACH: i64 = 1 << 10;
-/// The possible remainder where nothing moves: [m/s^2] or [rad/s^2].
+/// The remainder that is allowed where nothing moves: [m/s^2] or [rad/s^2].
 const NOTHING: f64 = 1e-30;
 
-/// The distance of a state from a closed one: squares.
+/// The squared distance of a state from a closed one.
 pub struct Closeness {
-    /// In positions, as a fraction of the size of the system.
+    /// In positions, relative to the size of the system.
     place: Id,
-    /// Likewise in velocities \[1/s\].
+    /// In velocities, relative to the size of the system \[1/s²\].
     rate: Id,
     rates: Vec<Id>,
 }
 
 impl Closeness {
-    /// By joints; `is_turning` are the rotational coordinates, whose slopes are lengths.
+    /// Sums over the joints; `is_turning` marks the rotational coordinates, whose slopes are
+    /// lengths.
     pub fn of(
         graph: &mut Graph,
         kept: &[(Keeper, ConstraintRow)],
@@ -70,7 +72,7 @@ impl Closeness {
     }
 }
 
-/// One, or NaN if the square of the `lacking` part of rows is more than their `terms` allow.
+/// One; or NaN if the squared part that the rows are `lacking` is more than their `terms` allow.
 /// `divisor` is positive.
 pub fn guard(
     graph: &mut Graph,
@@ -99,7 +101,7 @@ pub fn guard(
     allowed.push(graph.multiply(reach, fast));
     allowed.push(number(graph, NOTHING * NOTHING));
     let allowed = graph.sum(&allowed);
-    // a pivot must be more than eight roundings of its size
+    // a pivot must exceed eight rounding errors of its size
     let eighth = number(graph, 0.125 / f64::EPSILON);
     let beside = graph.divide(lacking, allowed);
     let beside = graph.multiply(eighth, beside);

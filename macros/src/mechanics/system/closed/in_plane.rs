@@ -1,4 +1,4 @@
-//! Loops in the plane: first the motion in absolute angles, and then the loads.
+//! Loops in the plane: the motion is solved for in absolute angles, and then the loads.
 
 use crate::mechanics::tree;
 use crate::mechanics::tree::link::{Link, Tree};
@@ -11,8 +11,8 @@ use super::super::reduced::{Balance, LinearRow, Reduced, loads, reduce};
 use super::eliminated::Found;
 use super::known::{Keeper, Known};
 
-/// Solves the rows block by block; none if rows are dependent or trivial somewhere, or
-/// if loads depend on those of constraints.
+/// Solves the rows block by block. `None` if rows are dependent or trivial somewhere, or if loads
+/// depend on those of constraints.
 pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     let tree = &known.built.tree;
     if known.is_followed(work) {
@@ -44,8 +44,8 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     })
 }
 
-/// The rows, in absolute coordinates, with their joints: first those of joints, and then written
-/// ones.
+/// The rows in absolute coordinates: first those of joints, each with its joint, and then those of
+/// written constraints.
 fn rows(
     graph: &mut Graph,
     known: &Known<'_>,
@@ -71,14 +71,14 @@ fn rows(
     rows
 }
 
-/// The motion. A hinge that closes a loop may become a carrier, so that fewer links are coupled:
-/// this changes the loads of its rows, and of no others,
+/// The motion. A hinge that closes a loop may become a carrier, so that fewer links are coupled.
+/// This changes the loads of the rows of that hinge, but no others:
 ///
 /// ```text
 /// J' = J + W A        J'^T (m J' x - f) = J^T (m J x - f) + A^T W^T (..)
 /// ```
 ///
-/// so it is not done if they are found together with the motion, and not from it.
+/// So it is not done if these loads are solved for together with the motion instead of from it.
 fn resolve(
     work: &mut Workspace,
     known: &Known<'_>,
@@ -100,7 +100,8 @@ fn resolve(
     }
 }
 
-/// The balances of absolute coordinates, with the drives of the joints; these hinges may carry.
+/// The balances of absolute coordinates, with the drives of the joints. The hinges `carrying` may
+/// become carriers.
 fn balances(
     graph: &mut Graph,
     known: &Known<'_>,
@@ -124,7 +125,7 @@ fn balances(
     balances.collect()
 }
 
-/// The missing load along the open coordinates for the solved accelerations.
+/// The loads along the open coordinates that the solved accelerations still need.
 fn lacking(work: &mut Workspace, tree: &Tree, accelerations: &[Id]) -> Vec<Id> {
     let by_link = tree.by_link(accelerations.iter().copied());
     let graph = &mut work.graph;

@@ -1,5 +1,5 @@
 //! Inverse dynamics of a system held by more than its tree: the open drives u and the constraint
-//! loads l that together give the loads needed by the joints,
+//! loads l that together are the loads that the joints need,
 //!
 //! ```text
 //! u + A^T l = M q'' - f
@@ -12,9 +12,9 @@ use crate::symbolic::{Elimination, Id};
 use super::super::constraints::split;
 use super::solve::Closed;
 
-/// Solves for the open drives, and then the loads. `needed` is the right side, along each open
-/// coordinate, where `symbols` are the loads of written constraints; `open` are the coordinates
-/// that have a drive.
+/// Solves for the open drives, and then for the loads. `needed` is the right side along each open
+/// coordinate, in which `symbols` are the loads of written constraints; `open` are the coordinates
+/// that have an open drive.
 pub fn solve_drives(
     work: &mut Workspace,
     closed: &Closed,

@@ -1,4 +1,5 @@
-//! A system that is held by more than the joints of its tree: where its links are, and its rows.
+//! A system that is held by more than the joints of its tree: the places of its links, and its
+//! rows.
 
 use crate::mechanics::following::unknowns_in;
 use crate::mechanics::tree::Built;
@@ -11,30 +12,31 @@ use super::super::constraints::{
     ConstraintRow, Ends, Placed, place_links, rows_of_joint, rows_of_written,
 };
 
-/// The origin of a row.
+/// What a row comes from.
 pub enum Keeper {
-    /// A joint that closes a loop, by number: the force and moment of a unit of its load.
+    /// A joint that closes a loop, by its index, and the force and moment of a unit of the row's
+    /// load.
     Joint(usize, [Components; 2]),
-    /// The load of a written constraint, by number.
+    /// A written constraint, by the index of its load.
     Written(usize),
 }
 
 /// A system, and its rows.
 pub struct Known<'a> {
     pub built: &'a Built,
-    /// Its tree, with the accelerations of free links along world axes.
+    /// Its tree. The accelerations of free links are along world axes.
     pub in_world: Tree,
     pub placed: Vec<Placed>,
     /// The ends of the joints that close loops.
     pub ends: Vec<Ends<'a>>,
     pub kept: Vec<(Keeper, ConstraintRow)>,
-    /// The rows that say nothing of accelerations.
+    /// The rows that do not restrict accelerations.
     pub idle: Vec<(Keeper, ConstraintRow)>,
 }
 
 impl<'a> Known<'a> {
-    /// The form of the tree does not matter, but the origins of its links are at their joints.
-    /// `motion` is the change of the state.
+    /// Any form of the tree will do, except that the origins of its links must be at their joints.
+    /// `motion` is the change of the state in time.
     pub fn of(
         system: &'a System,
         work: &mut Workspace,
@@ -68,7 +70,7 @@ impl<'a> Known<'a> {
         }
     }
 
-    /// Whether rows are trivial somewhere, or loads depend on those of constraints.
+    /// Whether rows are trivial somewhere, or loads depend on the loads of constraints.
     pub fn is_followed(&self, work: &Workspace) -> bool {
         let links = self.built.tree.links.iter();
         let given = links.flat_map(|link| {
@@ -82,7 +84,7 @@ impl<'a> Known<'a> {
 }
 
 impl Keeper {
-    /// For a joint, its number, and whether a moment keeps the row.
+    /// For the row of a joint: the index of the joint, and whether the load of the row is a moment.
     pub fn joint_part(&self, graph: &Graph) -> Option<(usize, bool)> {
         match self {
             Self::Joint(number, [force, _]) => Some((*number, graph.is_zero_vector(force))),
@@ -90,7 +92,7 @@ impl Keeper {
         }
     }
 
-    /// For a written constraint, its number.
+    /// For the row of a written constraint: its index.
     pub fn number(&self) -> Option<usize> {
         match self {
             Self::Joint(..) => None,
@@ -98,8 +100,8 @@ impl Keeper {
         }
     }
 
-    /// Whether a row says nothing of accelerations. One of a joint that holds in all states, as
-    /// those of parallel axes in space do, has any load.
+    /// Whether a row does not restrict accelerations. The row of a joint that holds in all states,
+    /// as between parallel axes in space, can have any load.
     pub fn is_idle(&self, work: &Workspace, row: &ConstraintRow) -> bool {
         let rest = [row.rate, row.bias].into_iter().chain(row.value);
         let mut parts = row.slopes.iter().copied();
@@ -144,7 +146,7 @@ pub fn moved_in_world(work: &mut Workspace, tree: &Tree) -> Tree {
     tree
 }
 
-/// Place and velocity of the links that are free, world axes.
+/// The place and velocity of the free links, in world axes.
 fn free_links(
     system: &System,
     work: &mut Workspace,

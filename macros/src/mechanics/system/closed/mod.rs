@@ -1,13 +1,13 @@
-//! The motion of a system that is held by more than the joints of its tree, and its constraint
-//! loads,
+//! The motion of a system that is held by more than the joints of its tree, and the loads of its
+//! constraints,
 //!
 //! ```text
 //! M q'' - A^T l = f        A q'' = -b        A: slopes of the constraints, b: their bias
 //! ```
 //!
-//! In the plane the motion is found block by block, without the loads. Systems that are no chain of
-//! such blocks, and those in space, are eliminated together, the masses first. Both hold in all
-//! states in which the rows of A are independent.
+//! In the plane, the motion is solved for block by block, without the loads. Systems that do not
+//! split into such blocks, and systems in space, are eliminated as a whole, masses first. Both ways
+//! are correct in all states in which the rows of A are independent.
 
 mod assembly;
 mod dependent;

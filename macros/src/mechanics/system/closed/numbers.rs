@@ -1,6 +1,7 @@
 //! Linear algebra in doubles.
 
-/// A row depends on others if at most this fraction of it remains.
+/// A row depends on others if no more than this fraction of it remains without its parts along
+/// them.
 const DEPENDENT: f64 = 1e-6;
 
 /// Pseudorandom numbers.
@@ -14,7 +15,7 @@ impl Random {
         random
     }
 
-    /// Between -1 and 1.
+    /// A number between -1 and 1.
     #[allow(clippy::cast_precision_loss, reason = "53 bits are kept")]
     pub fn number(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
@@ -24,12 +25,12 @@ impl Random {
     }
 }
 
-/// Unit vectors at right angles.
+/// Mutually perpendicular unit vectors.
 #[derive(Default)]
 pub struct Span(Vec<Vec<f64>>);
 
 impl Span {
-    /// Whether a row is independent of those before it; if so, adds it.
+    /// Whether a row is independent of those before it. If so, it is added.
     pub fn take(&mut self, row: Vec<f64>) -> bool {
         let left = self.left(row);
         let is_new = left.is_some();
@@ -37,7 +38,7 @@ impl Span {
         is_new
     }
 
-    /// The direction of the part of a row that is perpendicular to all.
+    /// The direction of the part of a row that is perpendicular to all of these.
     pub fn left(&self, row: Vec<f64>) -> Option<Vec<f64>> {
         let before = dot(&row, &row).sqrt();
         let mut left = row;
@@ -56,7 +57,8 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// `(A^T A + damping D) x = -A^T e`, with D of the size of what is on its diagonal.
+/// Solves `(A^T A + damping D) x = -A^T e`, where D is diagonal and of the size of the diagonal of
+/// `A^T A`.
 pub fn solve(rows: &[Vec<f64>], errors: &[f64], damping: f64) -> Vec<f64> {
     let count = rows.first().map_or(0, Vec::len);
     let column = |own: usize| rows.iter().map(move |row| row[own]);

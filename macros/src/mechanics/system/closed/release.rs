@@ -1,8 +1,9 @@
-//! Changes that make all loads of an overconstrained system determined: joints of less restrictive
-//! kinds, links to leave out, and if these are not enough, directions to release.
+//! Changes after which all loads of an overconstrained system are determined: joints of less
+//! restrictive kinds, links that are left out, and, if these are not enough, directions to release.
 //!
-//! A released direction carries nothing. If the parts along it of the self-balancing loads are
-//! independent, and as many as these loads, none of them remains; and the motion is unchanged.
+//! A released direction carries no load. Take the parts of the self-balancing loads along the
+//! released directions. If they are independent, and as many as these loads, then none of these
+//! loads remains, and the motion is unchanged.
 
 use std::iter;
 
@@ -12,13 +13,13 @@ use crate::symbolic::{Components, Graph, Id, Residue};
 
 use super::unsettled::{Spare, Unsettled};
 
-/// The limit of joints that are tried together.
+/// The most joints that are tried together.
 const MOST: usize = 3;
-/// The limit of ways to release.
+/// The most ways to release that are tried.
 const FEW: usize = 60;
 
-/// A way to release, and the released directions: as many rows, or more equivalent ones, as
-/// directions, each with its part of all spare loads.
+/// A way to release, and the directions that it releases. It has as many rows as directions, or
+/// more if some are equivalent; each row is the part of all spare loads along one direction.
 struct Way<T> {
     holder: usize,
     said: String,
@@ -26,7 +27,7 @@ struct Way<T> {
     rows: Vec<Vec<T>>,
 }
 
-/// The directions that a joint of another kind does not hold.
+/// The directions that a joint no longer holds if its kind is changed.
 #[derive(Clone, Copy)]
 enum Free {
     ForceAlong,
@@ -34,7 +35,7 @@ enum Free {
     Moment,
 }
 
-/// The less restrictive kinds, each with the number of released directions.
+/// The less restrictive kinds of joints, each with the number of released directions.
 fn instead(kind: &str, is_planar: bool) -> &'static [(&'static str, Free, usize)] {
     match (kind, is_planar) {
         ("revolute", false) => &[
@@ -51,8 +52,8 @@ fn instead(kind: &str, is_planar: bool) -> &'static [(&'static str, Free, usize)
     }
 }
 
-/// Ways to release after which all loads are determined, in words: ``with `a` as `spherical` ``. If
-/// there would be many, whole joints are left out.
+/// Ways to release after which all loads are determined, in words, such as ``with `a` as
+/// `spherical` ``. If there would be many, whole joints are left out instead.
 pub fn release(system: &System, work: &mut Workspace, unsettled: &Unsettled) -> String {
     let spare = &unsettled.spare;
     let ways = sampled(work, |graph| ways(graph, system, unsettled));
@@ -68,7 +69,7 @@ pub fn release(system: &System, work: &mut Workspace, unsettled: &Unsettled) -> 
     chosen.join(" and ")
 }
 
-/// The fewest ways, for different joints, that together remove this many spare loads.
+/// The fewest ways, at different joints, that together remove this many spare loads.
 fn fewest(ways: &[Way<Residue>], wanted: usize) -> Option<Vec<String>> {
     let (mut span, mut chosen) = (Span::default(), Vec::new());
     let is_found = ways.len() <= FEW
@@ -76,7 +77,8 @@ fn fewest(ways: &[Way<Residue>], wanted: usize) -> Option<Vec<String>> {
     is_found.then(|| chosen.iter().map(|way| ways[*way].said.clone()).collect())
 }
 
-/// Each way that releases something more, and then single components of other joints.
+/// Each way that releases something more than those before it, followed by single components of
+/// other joints.
 fn one_by_one(ways: &[Way<Residue>], single: &[Way<Residue>]) -> Vec<String> {
     let (mut span, mut holders, mut said) = (Span::default(), Vec::new(), Vec::new());
     let whole = ways.iter().map(|way| (way, true));
@@ -93,7 +95,7 @@ fn one_by_one(ways: &[Way<Residue>], single: &[Way<Residue>]) -> Vec<String> {
     said
 }
 
-/// The releases by other kinds of joints, and by links that are left out.
+/// The releases by joints of other kinds, and by links that are left out.
 fn ways(graph: &mut Graph, system: &System, unsettled: &Unsettled) -> Vec<Way<Id>> {
     let spare = &unsettled.spare;
     let mut ways = Vec::new();
@@ -120,7 +122,7 @@ fn ways(graph: &mut Graph, system: &System, unsettled: &Unsettled) -> Vec<Way<Id
     ways
 }
 
-/// The releases by joints that close loops and are left out.
+/// The releases by leaving out joints that close loops.
 fn without_joints(system: &System, unsettled: &Unsettled) -> Vec<Way<Id>> {
     let closings = system.closings.iter().enumerate();
     let ways = closings.map(|(number, closing)| {
@@ -140,14 +142,14 @@ fn without_joints(system: &System, unsettled: &Unsettled) -> Vec<Way<Id>> {
     ways.collect()
 }
 
-/// A joint, as far as it is relevant here.
+/// What matters of a joint here.
 struct Holder {
     name: String,
     kind: &'static str,
     is_driven: bool,
 }
 
-/// The joints of the tree, and then those that close loops.
+/// The joints of the tree, followed by those that close loops.
 fn holders(system: &System) -> impl Iterator<Item = Holder> {
     let driven = system.joints.iter().map(TreeJoint::is_driven);
     let driven = driven.chain(iter::repeat(false));
@@ -159,7 +161,7 @@ fn holders(system: &System) -> impl Iterator<Item = Holder> {
     })
 }
 
-/// The parts of all spare loads that a joint releases.
+/// The parts of all spare loads that a joint would release.
 fn rows(
     graph: &mut Graph,
     spare: &[Spare],
@@ -183,7 +185,7 @@ fn rows(
     }
 }
 
-/// Each component of the load of each joint, those that close loops first.
+/// Ways that release one component of the load of one joint; joints that close loops come first.
 fn components(graph: &Graph, system: &System, spare: &[Spare]) -> Vec<Way<Id>> {
     let mut ways = Vec::new();
     for (holder, joint) in holders(system)
@@ -221,7 +223,7 @@ pub fn component(joint: &str, (part, axis): (&str, &str), is_planar: bool) -> St
     }
 }
 
-/// At a random state.
+/// The ways with the values of their rows at a random state.
 fn sampled(
     work: &mut Workspace,
     ways: impl FnOnce(&mut Graph) -> Vec<Way<Id>>,
@@ -248,7 +250,7 @@ fn sampled(
     ways.collect()
 }
 
-/// Finds this many ways, of different joints, that remove all of the spare loads.
+/// Finds this many ways, at different joints, that remove all of the spare loads.
 fn search(
     ways: &[Way<Residue>],
     (from, most): (usize, usize),
@@ -278,19 +280,19 @@ fn search(
     false
 }
 
-/// Independent rows, each without the leading parts of those before it.
+/// Independent rows; from each, the leading parts of those before it are eliminated.
 #[derive(Clone, Default)]
 struct Span(Vec<(usize, Vec<Residue>)>);
 
 impl Span {
-    /// The span with the rows that a way releases; none if these are not all independent.
+    /// The span with the rows that a way releases; `None` if these are not all independent.
     fn with(&self, way: &Way<Residue>) -> Option<Self> {
         let mut larger = self.clone();
         let count = way.rows.iter().filter(|row| larger.take(row)).count();
         (count == way.count).then_some(larger)
     }
 
-    /// Whether a row is independent; it then belongs to it.
+    /// Whether a row is independent. If so, it is added.
     fn take(&mut self, row: &[Residue]) -> bool {
         let mut row = row.to_vec();
         for (lead, known) in &self.0 {

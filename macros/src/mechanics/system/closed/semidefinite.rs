@@ -1,18 +1,19 @@
-//! Dependent but consistent equations: `S l = r`.
+//! Equations that are dependent but consistent: `S l = r`.
 
 use crate::symbolic::{Graph, Id};
 
-/// Equations whose matrix has no negative eigenvalue, group after group with this many rows and
-/// this rank.
+/// Equations whose matrix has no negative eigenvalue, solved group by group; each group has a
+/// number of rows and a rank.
 pub struct Solver {
     pub steps: Vec<Step>,
 }
 
 pub struct Step {
     pub own: std::ops::Range<usize>,
-    /// `N_k / e_k` of these rows, once those before are eliminated.
+    /// `N_k / e_k` of these rows, once the earlier rows are eliminated.
     inverse: Vec<Vec<Id>>,
-    /// The coefficients of later rows by these loads, and of these rows by later loads.
+    /// The coefficients of these loads in later rows, which are also those of later loads in these
+    /// rows.
     later: Vec<Vec<Id>>,
     /// A positive value.
     pub size: Id,
@@ -89,7 +90,7 @@ impl Solver {
     }
 }
 
-/// `N_k / e_k`; `size` is one of the eigenvalues.
+/// `N_k / e_k`, where `size` is the size of the eigenvalues.
 fn inverse(graph: &mut Graph, block: &[Vec<Id>], rank: usize, size: Id) -> Vec<Vec<Id>> {
     let count = block.len();
     let (zero, one) = (graph.zero(), graph.one());
@@ -142,7 +143,7 @@ fn of_matrix(graph: &mut Graph, matrix: &[Vec<Id>], vector: &[Id]) -> Vec<Id> {
     all.collect()
 }
 
-/// The sum of the products.
+/// The sum of the products of corresponding entries.
 pub fn product(graph: &mut Graph, first: &[Id], second: &[Id]) -> Id {
     let parts = first.iter().zip(second);
     let parts: Vec<Id> = parts.map(|(a, b)| graph.multiply(*a, *b)).collect();

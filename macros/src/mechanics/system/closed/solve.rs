@@ -19,17 +19,17 @@ use super::unsettled::{Spare, Unsettled, bare};
 /// The constraints of such a system, and their loads.
 pub struct Closed {
     pub kept: Vec<(Keeper, ConstraintRow)>,
-    /// Whether each of them follows from the others in closed states.
+    /// For each constraint, whether it follows from the others in closed states.
     pub follows: Vec<bool>,
     /// The diagonal of the mass matrix of the tree.
     pub inertias: Vec<Id>,
-    /// Force and moment of each loop-closing joint on the carried body, at its point there, world
-    /// axes.
+    /// The force and moment of each loop-closing joint on the carried body, at its point on that
+    /// body, in world axes.
     pub wrenches: Vec<[Components; 2]>,
-    /// The load of each written constraint, for one unit of its gradient.
+    /// The load of each written constraint, per unit of its gradient.
     pub loads: Vec<Id>,
-    /// The symbols on which loads may depend, with their solutions: of the loads of written
-    /// constraints, and then of accelerations.
+    /// The symbols that loads may depend on, with their solutions: first those of the loads of
+    /// written constraints, then those of accelerations.
     pub settled: Vec<(Id, Id)>,
     /// The tree with these loads on its links.
     pub loaded: Tree,
@@ -37,13 +37,14 @@ pub struct Closed {
 }
 
 impl Closed {
-    /// All rows.
+    /// The rows of all constraints.
     pub fn rows(&self) -> impl ExactSizeIterator<Item = &ConstraintRow> {
         self.kept.iter().map(|(_, row)| row)
     }
 }
 
-/// Solves for the accelerations of the open freedoms, link by link, and for all constraint loads.
+/// Solves for the accelerations of the open freedoms, link by link, and for the loads of all
+/// constraints.
 pub fn close(
     system: &System,
     work: &mut Workspace,
@@ -86,7 +87,8 @@ pub fn close(
     (built.tree.by_link(found.accelerations), closed)
 }
 
-/// The loads that the equations do not determine; `spare` are those that balance each other.
+/// The loads that the equations do not determine; `spare` are sets of loads that balance each
+/// other.
 fn unsettled(
     system: &System,
     work: &mut Workspace,
@@ -116,7 +118,8 @@ fn unsettled(
     unsettled
 }
 
-/// Block by block if that is possible, and not more expensive than eliminating all together.
+/// The solution block by block, if there is one and it costs no more than eliminating everything
+/// together.
 fn found(
     system: &System,
     work: &mut Workspace,
@@ -149,7 +152,7 @@ fn found(
     }
 }
 
-/// The solution with rows that depend on each other only in closed states; none if there are no
+/// The solution with rows that depend on each other only in closed states. `None` if there are no
 /// such rows, or if loads depend on those of constraints.
 fn where_closed(
     system: &System,
@@ -177,10 +180,10 @@ fn where_closed(
     )
 }
 
-/// Force and moment of each joint that closes a loop, and the load of each written constraint.
+/// The force and moment of each joint that closes a loop, and the load of each written constraint.
 type Loads = (Vec<[Components; 2]>, Vec<Id>);
 
-/// Loads that balance each other; of an idle row, any.
+/// Sets of loads that balance each other. The load of an idle row is such a set by itself.
 fn spare(system: &System, work: &mut Workspace, known: &Known<'_>, found: &Found) -> Vec<Loads> {
     let always = found.spare.iter().map(|(.., loads)| loads);
     let mut spare = Vec::new();
@@ -194,7 +197,7 @@ fn spare(system: &System, work: &mut Workspace, known: &Known<'_>, found: &Found
     spare
 }
 
-/// By the loads of all rows.
+/// The loads of joints and constraints, from those of all rows.
 fn loads_of(
     system: &System,
     work: &mut Workspace,
@@ -217,7 +220,7 @@ fn loads_of(
     (wrenches, loads)
 }
 
-/// The first axis of each joint that has one, world axes.
+/// The first axis of each joint that has one, in world axes.
 fn axes(system: &System, work: &mut Workspace, known: &Known<'_>) -> Vec<Option<Components>> {
     let axes = system.connections().map(|joint| {
         let axis = joint.directions.first()?;

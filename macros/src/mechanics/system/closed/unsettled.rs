@@ -10,23 +10,23 @@ use crate::symbolic::{Components, Elimination, Equation, Graph, Id};
 
 use super::known::{Keeper, Known};
 
-/// The owners of loads that the equations do not determine, by index.
+/// Which loads the equations do not determine, by the index of what they belong to.
 #[derive(Default)]
 pub struct Unsettled {
-    /// Loads that balance each other, and may be added to any solution.
+    /// Loads that balance each other, so that they may be added to any solution.
     pub spare: Vec<Spare>,
-    /// Written constraints that are trivial, or redundant, each with the names of those it follows
-    /// from.
+    /// Written constraints that are trivial or redundant, each with the names of those that it
+    /// follows from.
     pub written: Vec<(usize, BTreeSet<String>)>,
     /// Coordinates without inertia.
     pub light: Vec<usize>,
-    /// The first axis of each joint that has one, world axes: of the tree, and then of those that
-    /// close loops. Known where loads are spare.
+    /// The first axis of each joint that has one, in world axes: first the joints of the tree, then
+    /// those that close loops. Only known if there are spare loads.
     pub axes: Vec<Option<Components>>,
 }
 
-/// Loads that balance each other in all bodies: force and moment of each joint on the carried body,
-/// at its point there, world axes.
+/// Loads that balance each other on all bodies. Those of a joint are its force and moment on the
+/// carried body, at its point on that body, in world axes.
 pub struct Spare {
     /// The loads of joints that close loops.
     pub closings: Vec<[Components; 2]>,
@@ -37,8 +37,8 @@ pub struct Spare {
 }
 
 impl Spare {
-    /// From the loads of the joints that close loops, and the effect of written constraints on the
-    /// links of a `tree` without loads.
+    /// Made from the loads of the joints that close loops, and the effect of written constraints on
+    /// the links of a `tree` without other loads.
     pub fn new(
         graph: &mut Graph,
         known: &Known<'_>,
@@ -84,14 +84,14 @@ impl Spare {
         }
     }
 
-    /// The load of a joint by number: those that close loops come after those of the tree.
+    /// The load of a joint, by its index; joints that close loops come after those of the tree.
     pub fn wrench(&self, joint: usize) -> [Components; 2] {
         let behind = joint.checked_sub(self.joints.len());
         behind.map_or_else(|| self.joints[joint], |closing| self.closings[closing])
     }
 }
 
-/// Subtracts a force and a moment at a place from the sums about another one.
+/// Subtracts a force and a moment that act at one place from their sums about another place.
 fn subtract_at(
     graph: &mut Graph,
     sums: &mut [Components; 2],
@@ -107,7 +107,7 @@ fn subtract_at(
 }
 
 impl Unsettled {
-    /// A constraint whose load is not determined, with the names of those that can replace it.
+    /// Adds a constraint whose load is not determined, with the names of those that can replace it.
     pub fn add(&mut self, keeper: &Keeper, others: BTreeSet<String>) {
         if let Keeper::Written(number) = keeper {
             self.written.push((*number, others));
@@ -115,8 +115,7 @@ impl Unsettled {
     }
 }
 
-/// The equations that say that one unit of the load of a column, together with the others, has no
-/// effect.
+/// The equations for the loads that cancel the effect of one unit of the load of a column.
 pub fn without_column(graph: &mut Graph, equations: &[Equation], column: usize) -> Vec<Equation> {
     let equations = equations.iter().map(|equation| {
         let mut equation = equation.clone();
@@ -129,7 +128,7 @@ pub fn without_column(graph: &mut Graph, equations: &[Equation], column: usize) 
     equations.collect()
 }
 
-/// The tree, with massless bodies and without loads.
+/// The tree without loads, and with bodies without mass.
 pub fn bare(graph: &Graph, built: &Built) -> Tree {
     let mut tree = built.tree.clone();
     tree.gravity = graph.zeros();
@@ -143,7 +142,7 @@ pub fn bare(graph: &Graph, built: &Built) -> Tree {
     tree
 }
 
-/// The rows whose loads are not determined, each with those that can replace it.
+/// The rows whose loads are not determined, each with the rows that can replace it.
 pub fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
     let row = |column: &usize| column.checked_sub(count);
     let undetermined = solved.undetermined.iter();
@@ -155,7 +154,7 @@ pub fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
 }
 
 /// Reports written constraints that are trivial or redundant; `followed` are the symbols of loads
-/// on which others depend. A link may be redundant, unless its tension matters.
+/// that other loads depend on. A link may be redundant, unless something depends on its tension.
 pub fn check_kept(
     system: &System,
     work: &Workspace,

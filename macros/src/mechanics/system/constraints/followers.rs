@@ -1,4 +1,5 @@
-//! Given loads that depend on the load of a constraint, such as friction: they are linear in it.
+//! Given loads that depend on the load of a constraint, such as friction. They must be linear in
+//! it.
 
 use crate::errors::Errors;
 use crate::mechanics::following::{LOAD, check_linear, check_parts, unknowns_in};
@@ -6,7 +7,7 @@ use crate::mechanics::tree::link::Tree;
 use crate::model::{System, Workspace};
 use crate::symbolic::{Graph, Id};
 
-/// Reports loads that depend on the load of a constraint, or on an acceleration, nonlinearly.
+/// Reports loads that depend nonlinearly on the load of a constraint or on an acceleration.
 pub fn check_followers(system: &System, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
     let before = errors.count();
     let loads = system.bodies.iter().flat_map(|body| &body.loads);
@@ -38,7 +39,7 @@ pub fn check_followers(system: &System, work: &mut Workspace, errors: &mut Error
     (errors.count() == before).then_some(())
 }
 
-/// The values with these symbols set to zero, and the slopes by each symbol.
+/// The values with these symbols set to zero, and their slopes along each symbol.
 pub fn split(graph: &mut Graph, roots: &[Id], symbols: &[Id]) -> (Vec<Id>, Vec<Vec<Id>>) {
     let zero = graph.zero();
     let slopes = symbols
@@ -49,7 +50,7 @@ pub fn split(graph: &mut Graph, roots: &[Id], symbols: &[Id]) -> (Vec<Id>, Vec<V
     (without, slopes)
 }
 
-/// Substitutes the loads of constraints for their symbols.
+/// Replaces the symbols of the loads of constraints by these loads.
 pub fn replace_in_tree(graph: &mut Graph, tree: &mut Tree, values: &[(Id, Id)]) {
     if values.is_empty() {
         return;
@@ -63,7 +64,7 @@ pub fn replace_in_tree(graph: &mut Graph, tree: &mut Tree, values: &[(Id, Id)]) 
     }
 }
 
-/// The same, in expressions.
+/// The same for expressions.
 pub fn replace(graph: &mut Graph, roots: &[Id], values: &[(Id, Id)]) -> Vec<Id> {
     graph.substitute(roots, |id| {
         let known = values.iter().find(|(symbol, _)| *symbol == id);

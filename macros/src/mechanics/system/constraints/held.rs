@@ -1,19 +1,20 @@
-//! The directions that a joint that closes a loop holds, one by one.
+//! The directions held by a joint that closes a loop, one by one.
 
 use crate::mechanics::tree::turning::Turning;
 use crate::model::{Connection, Part};
 use crate::symbolic::{Components, Function, Graph, Id};
 
-/// One held direction, which is one constraint.
+/// A held direction, which is one constraint.
 #[derive(Clone, Copy)]
 pub enum Held {
-    /// The point of the carried body, along a direction of the world.
+    /// The place of the point of the carried body, along a direction of the world.
     Place(Components),
-    /// The same along a direction that is fixed in the carrier.
+    /// The same, along a direction that is fixed in the carrier.
     Across(Components),
     /// The angle between a direction of the carrier and one of the carried body.
     Between(Components, Components),
-    /// The place along a direction that is fixed in the carrier, by the angle about it.
+    /// The place along a direction that is fixed in the carrier, which the angle about it
+    /// determines.
     Thread(Thread),
 }
 
@@ -21,8 +22,8 @@ pub enum Held {
 #[derive(Clone, Copy)]
 pub struct Thread {
     pub axis: Components,
-    /// A direction across the axis: of the carrier, and of the carried body where both are alike at
-    /// zero.
+    /// Two directions across the axis that agree at zero coordinates, one of the carrier and one of
+    /// the carried body.
     pub across: [Components; 2],
     /// Metres per radian.
     pub pitch: Id,
@@ -64,7 +65,7 @@ fn in_space(graph: &mut Graph, closing: &Connection) -> Vec<Held> {
     let across = |graph: &mut Graph, one: Components| Held::Across(turned(graph, one));
     let between =
         |graph: &mut Graph, one: Components, other| Held::Between(turned(graph, one), other);
-    // all directions of both bodies stay as they are to each other
+    // no direction of one body rotates relative to the other body
     let still = |graph: &mut Graph| {
         [(0, 1), (1, 2), (2, 0)].map(|(i, j)| between(graph, units[i], units[j]))
     };
@@ -112,9 +113,9 @@ fn in_space(graph: &mut Graph, closing: &Connection) -> Vec<Held> {
     all
 }
 
-/// A vector of the carried body, in the axes of the carrier, where the coordinates are zero.
+/// A vector of the carried body, in the axes of the carrier at zero coordinates.
 pub fn at_zero(graph: &mut Graph, closing: &Connection, vector: Components) -> Components {
-    // the last turn is that of the carried body
+    // the last rotation is the innermost, that of the carried body
     closing
         .turned
         .iter()

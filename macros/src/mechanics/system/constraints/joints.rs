@@ -1,5 +1,6 @@
-//! The rows of a joint that closes a loop: constraints between two links, each with its value, its
-//! rate, its missing acceleration, and its slopes by the rates of the joints.
+//! The rows of a joint that closes a loop: constraints between two links. Each has its value, its
+//! rate, its bias (the derivative of the rate without joint accelerations), and its slopes along
+//! the rates of the joints.
 
 use crate::mechanics::tree::link::Tree;
 use crate::model::Connection;
@@ -12,8 +13,8 @@ use super::world::{Placed, Spot};
 /// One constraint of a joint.
 pub struct JointRow {
     pub row: ConstraintRow,
-    /// A unit of its load: force and moment on the carried body, at its point of the joint, world
-    /// axes; on the carrier the opposite, at the same place.
+    /// A unit of its load: the force and moment on the carried body, at its point of the joint, in
+    /// world axes. On the carrier, the opposite acts at the same place.
     pub force: Components,
     pub moment: Components,
 }
@@ -21,7 +22,7 @@ pub struct JointRow {
 /// Both sides of a joint that closes a loop.
 pub struct Ends<'a> {
     pub closing: &'a Connection,
-    /// The links, none for the ground; offsets of the joint from their origins.
+    /// The links, `None` for the ground, and the offsets of the joint from their origins.
     pub links: [Option<usize>; 2],
     pub offsets: [Components; 2],
     pub is_planar: bool,
@@ -79,13 +80,13 @@ fn row(
     }
 }
 
-/// Both sides of a joint, the carrier first, and its points on them.
+/// Both sides of a joint, carrier first, and its points on them.
 struct Joined<'a> {
     sides: [&'a Placed; 2],
     spots: [Spot; 2],
 }
 
-/// A constraint, with its rate and the derivative of that, and a unit of its load.
+/// A constraint with its first and second derivatives, and a unit of its load.
 struct Measured {
     change: [Id; 3],
     force: Components,
@@ -124,7 +125,7 @@ impl Joined<'_> {
         }
     }
 
-    /// The distance vector of the points, with its first and second derivatives.
+    /// The vector between the two points, with its first and second derivatives.
     fn apart(&self, graph: &mut Graph) -> [Components; 3] {
         let parts: [fn(&Spot) -> Components; 3] = [
             |spot| spot.place,
@@ -137,7 +138,7 @@ impl Joined<'_> {
         })
     }
 
-    /// The rotation of one side relative to the other: the rate, and its derivative.
+    /// The rate at which one side rotates relative to the other, and its derivative.
     fn turning(&self, graph: &mut Graph) -> [Components; 2] {
         let [carrier, carried] = self.sides;
         let pairs = [(carried.w, carrier.w), (carried.alpha, carrier.alpha)];
@@ -161,8 +162,8 @@ impl Joined<'_> {
         [graph.dot(e, r), rate, bias]
     }
 
-    /// The same along the axis of a thread, minus the advance of the thread by its rotation. The
-    /// place is counted modulo whole turns:
+    /// The same along the axis of a thread, minus the advance of the thread as it rotates. Whole
+    /// turns do not count:
     ///
     /// ```text
     /// 2 p tan((x / p - angle) / 2)        p: pitch, x: the place along the axis
@@ -201,7 +202,7 @@ impl Joined<'_> {
     }
 
     /// The angle between a direction of the carrier and one of the carried body, minus its value at
-    /// zero coordinates; a moment along their normal keeps it.
+    /// zero coordinates. A moment along the normal of both keeps it.
     fn between(
         &self,
         graph: &mut Graph,
@@ -222,7 +223,7 @@ impl Joined<'_> {
         let n_rate = graph.add_vectors(first, second);
         let (turned, moved) = (graph.dot(alpha, n), graph.dot(w, n_rate));
         let bias = graph.add(turned, moved);
-        // the angle at zero is that of the directions as they are written
+        // at zero coordinates, the angle is that between the directions as written
         let other = at_zero(graph, closing, other);
         let start = graph.dot(own, other);
         let now = graph.dot(e, d);
@@ -234,8 +235,8 @@ impl Joined<'_> {
     }
 }
 
-/// The power of a force and a moment per rate of each open freedom: on the carried body, and with
-/// the opposite sign on the carrier, each force at its place.
+/// The power of a force and a moment per rate of each open freedom. They act on the carried body,
+/// and their opposites on the carrier, each force at its place.
 fn slopes(
     graph: &mut Graph,
     tree: &Tree,
@@ -257,7 +258,7 @@ fn slopes(
     for (index, link) in tree.links.iter().enumerate() {
         let (on, off) = (carried.contains(&index), carrier.contains(&index));
         for freedom in link.open() {
-            // a freedom that carries both moves them alike
+            // a freedom that carries both sides moves them alike
             if on == off {
                 all.push(graph.zero());
                 continue;

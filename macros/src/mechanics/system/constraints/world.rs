@@ -1,16 +1,17 @@
-//! The motion of links in world axes, with zero joint accelerations. Constraints between links need
-//! it.
+//! The motion of links in world axes, with zero joint accelerations, as constraints between links
+//! need it.
 
 use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree::turning::Turning;
 use crate::symbolic::{Components, Graph, Id};
 
-/// The place and the motion of a link, world axes. The accelerations are those with zero joint
+/// The place and the motion of a link, in world axes. Its acceleration is that with zero joint
 /// accelerations.
 #[derive(Clone)]
 pub struct Placed {
     pub turning: Turning,
-    /// In the plane, its angle; the same for links that turn about one axis.
+    /// The axis of its rotation and the angle about it, if all joints up to the link rotate about
+    /// the same axis, as in the plane.
     angle: Option<(usize, Id)>,
     pub origin: Components,
     pub velocity: Components,
@@ -69,7 +70,8 @@ impl Placed {
         graph.quantities(turned)
     }
 
-    /// A link that this one carries; for a free link, with its place.
+    /// The motion of a link that this one carries. For a free link, its place and velocity are
+    /// `free`.
     fn carried(&self, graph: &mut Graph, link: &Link, free: Option<[Components; 2]>) -> Self {
         let spot = self.spot(graph, link.place);
         let (turning, angle) = self.turned(graph, link);
@@ -120,7 +122,8 @@ impl Placed {
         next
     }
 
-    /// The rotation of a link that this one carries: about one axis, by the sum of the angles.
+    /// The rotation of a link that this one carries. If both are about the same axis, the angles
+    /// are added.
     fn turned(&self, graph: &mut Graph, link: &Link) -> (Turning, Option<(usize, Id)>) {
         let own = match (link.turning, link.angle) {
             (Turning::About { axis, .. }, Some(angle)) => Some((axis, angle)),
@@ -147,7 +150,7 @@ impl Placed {
     }
 }
 
-/// All links; `free` has the places of free links, by link.
+/// The motion of all links; `free` has the places and velocities of free links, by link.
 pub fn place_links(
     graph: &mut Graph,
     tree: &Tree,

@@ -10,7 +10,7 @@ use crate::symbolic::{Graph, Id};
 
 use super::row::ConstraintRow;
 
-/// All written constraints.
+/// The rows of all written constraints.
 pub fn rows(
     system: &System,
     work: &mut Workspace,
@@ -56,7 +56,7 @@ fn row(
     }
 }
 
-/// Puts the loads of all written constraints on the links and along the freedoms of a tree.
+/// Puts the loads of all written constraints on the links of a tree and along its freedoms.
 pub fn push(system: &System, work: &mut Workspace, built: &Built, tree: &mut Tree, loads: &[Id]) {
     let Some(form) = &system.constraints.form else {
         return;

@@ -1,17 +1,18 @@
-//! Everything that a joint carries, as one body.
+//! What a joint carries, treated as one body.
 
 use crate::mechanics::closed_forms::at_rest;
 use crate::mechanics::tree::{Built, Properties};
 use crate::model::{Workspace, displaced};
 use crate::symbolic::Components;
 
-/// Everything that a joint carries if the coordinates beyond it are zero, in the axes of its body.
+/// Everything that a joint carries, with the coordinates of further joints at zero, in the axes of
+/// the body of the joint.
 pub struct Carried {
-    /// From the origin of the body, or the held point, to the center of mass.
+    /// The vector to the center of mass from the origin of the body, or from the held point.
     pub center: Components,
-    /// Inertia about the origin.
+    /// The inertia about the origin.
     pub about_origin: [Components; 3],
-    /// Inertia about the center of mass.
+    /// The inertia about the center of mass.
     pub about_center: [Components; 3],
 }
 
@@ -33,7 +34,7 @@ impl Carried {
     }
 }
 
-/// Mass, first moment and inertia of a link with everything that it carries.
+/// The mass, first moment and inertia of a link together with everything that it carries.
 fn together(work: &mut Workspace, built: &Built, root: usize) -> Properties {
     let (links, graph) = (&built.tree.links, &mut work.graph);
     let mut sums: Vec<Properties> = links.iter().map(|link| link.properties).collect();

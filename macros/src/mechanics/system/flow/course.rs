@@ -1,4 +1,4 @@
-//! The closed form of the motion of one joint, proved on its accelerations.
+//! The closed form of the motion of one joint. Its accelerations are proved to have this form.
 
 use crate::mechanics::closed_forms::{
     Gyrostat, Rotation, Solid, Turning, at_rest, constants, free, swing, symmetric,
@@ -13,37 +13,38 @@ use crate::mechanics::system::rates::velocities;
 
 /// The motion of a joint in closed form.
 pub enum Course {
-    /// Every coordinate has a constant acceleration.
+    /// All coordinates have constant accelerations.
     Uniform(Vec<Id>),
-    /// It rotates; the center of mass of a free joint moves on a parabola.
+    /// It rotates; if the joint is free, the center of mass moves on a parabola.
     Turning(Rotation, Option<Center>),
-    /// It turns on a pendulum, against its swing.
+    /// It rotates on a pendulum, against the swing of the pendulum.
     Counter(Counter),
 }
 
-/// A hinge whose angle has a constant acceleration together with that of a pendulum.
+/// A hinge on a pendulum. The sum of its angle and that of the pendulum, about the same direction,
+/// has a constant acceleration.
 pub struct Counter {
     /// The joint of the pendulum.
     pub swing: usize,
-    /// Its rate of small oscillations, and where it hangs.
+    /// The rate of small oscillations of the pendulum, and the angle at which it hangs.
     pub pendulum: [Id; 2],
-    /// Whether the pendulum moves, too.
+    /// Whether the pendulum also translates.
     pub translates: bool,
-    /// Whether it turns about the opposite direction.
+    /// Whether its axis points the opposite way.
     pub is_opposite: bool,
-    /// The acceleration of both angles together.
+    /// The acceleration of the sum of both angles.
     pub acceleration: Id,
 }
 
 /// The motion of the center of mass of everything that a free joint carries.
 pub struct Center {
-    /// Constant, world axes.
+    /// Its acceleration, which is constant, in world axes.
     pub acceleration: Components,
-    /// From G of the body, body axes, if it is elsewhere.
+    /// Its offset from the G of the body, in body axes, unless it is there.
     pub offset: Option<Components>,
 }
 
-/// A joint of a system, whose accelerations are known.
+/// A joint of a system whose accelerations are known.
 pub struct SolvedJoint<'a> {
     pub system: &'a System,
     pub equations: &'a SystemEquations,
@@ -82,7 +83,7 @@ impl SolvedJoint<'_> {
         }
     }
 
-    /// Its motion, if it is that of a hinge on one of these pendulums.
+    /// Its motion, if it is a hinge on one of these pendulums that turns against the swing.
     pub fn counter(&self, work: &mut Workspace, courses: &[Option<Course>]) -> Option<Counter> {
         let [own] = *self.accelerations() else {
             return None;
@@ -149,8 +150,8 @@ impl SolvedJoint<'_> {
         Some(Course::Turning(rotation, Some(center)))
     }
 
-    /// The parabola of the center of mass, if it moves on one: `a + w' x c + w x (w x c)` is
-    /// constant.
+    /// The parabola of the center of mass, if it moves on one, so that `a + w' x c + w x (w x c)`
+    /// is constant.
     fn center(
         &self,
         work: &mut Workspace,
@@ -173,7 +174,7 @@ impl SolvedJoint<'_> {
         })
     }
 
-    /// In the plane about its normal.
+    /// The angular velocity; in the plane, it is about the normal.
     fn angular_velocity(&self, work: &Workspace) -> Components {
         let (zero, rates) = (work.graph.zero(), &self.joint().coordinates);
         let get = |part: usize| rates.get(Variable::AngularVelocity, part).unwrap_or(zero);
@@ -184,8 +185,8 @@ impl SolvedJoint<'_> {
         }
     }
 
-    /// Its rotation in space: as one body under the moment that its acceleration leaves in Euler's
-    /// equations, or as a gyrostat.
+    /// Its rotation in space: that of one body, under the moment that follows from its acceleration
+    /// by Euler's equations, or that of a gyrostat.
     fn rotation(&self, work: &mut Workspace, angular: Components) -> Option<Rotation> {
         let (whole, w) = (self.carried(work), self.angular_velocity(work));
         let rows = if self.joint().kind.is_free() {
@@ -233,8 +234,8 @@ impl SolvedJoint<'_> {
             .flatten()
     }
 
-    /// The axes about which it may be symmetric: those of all rotors that it carries, where the
-    /// coordinates between are zero, and its own.
+    /// The axes about which it may be symmetric: those of all rotors that it carries, at zero
+    /// coordinates of the joints between, and its own.
     fn axes(&self, work: &mut Workspace) -> Vec<Components> {
         let (joints, body) = (&self.system.joints, self.body());
         let mut axes = Vec::new();

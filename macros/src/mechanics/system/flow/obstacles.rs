@@ -1,4 +1,4 @@
-//! Obstacles to a closed form.
+//! What prevents a closed form.
 
 use crate::mechanics::answers::parts;
 use crate::mechanics::closed_forms::dependence;
@@ -9,12 +9,12 @@ use crate::symbolic::Id;
 
 use crate::mechanics::system::equations::SystemEquations;
 
-/// Joints without a closed form, and the reasons.
+/// The joints without a closed form, and why they have none.
 pub struct Obstacles<'a> {
     pub system: &'a System,
     pub equations: &'a SystemEquations,
     pub work: &'a mut Workspace,
-    /// By number.
+    /// The indices of these joints.
     pub failing: Vec<usize>,
 }
 
@@ -26,7 +26,7 @@ pub const CHANGING: &str =
     "no closed form: mass and inertia change; leave out `flow`, and the motion is integrated";
 
 impl Obstacles<'_> {
-    /// One for all that one joint to the ground carries.
+    /// One obstacle for everything that one joint to the ground carries.
     pub fn all(&mut self) -> Vec<String> {
         let roots = self.failing.iter().map(|joint| self.system.root(*joint));
         let mut roots: Vec<usize> = roots.collect();
@@ -91,14 +91,14 @@ impl Obstacles<'_> {
         })
     }
 
-    /// Whether the rotation of a joint does not affect its carrier.
+    /// Whether the rotation of a joint has no effect on its carrier.
     fn is_rotor(&self, root: usize, joint: &TreeJoint) -> bool {
         let (graph, found) = (&self.work.graph, &self.equations.accelerations[root]);
         let angle = joint.coordinates.get(Variable::Angle, 0);
         angle.is_some_and(|angle| !graph.depends_on(found, |id| id == angle))
     }
 
-    /// The first load that is not constant, of those that have a part in these accelerations.
+    /// The first of the loads that contribute to these accelerations and are not constant.
     fn changing(&mut self, root: usize, accelerations: &[Id]) -> Option<String> {
         let loads = self.acting(root);
         let graph = &self.work.graph;
@@ -112,8 +112,7 @@ impl Obstacles<'_> {
         })
     }
 
-    /// The loads along coordinates of the bodies that a joint to the ground carries, and the drives
-    /// there.
+    /// The loads and drives along coordinates of the bodies that a joint to the ground carries.
     fn acting(&mut self, root: usize) -> Vec<(String, Vec<Id>)> {
         let (mut acting, mut driving) = (Vec::new(), Vec::new());
         let (system, built) = (self.system, &self.equations.built);

@@ -1,4 +1,4 @@
-//! The motion of a system in closed form, or the obstacles to it.
+//! The motion of a system in closed form, or what prevents it.
 
 use proc_macro2::Ident;
 
@@ -14,7 +14,7 @@ pub struct SystemFlow {
     pub joints: Vec<(Ident, &'static Shape, Course)>,
 }
 
-/// The closed form. Obstacles are reported at the request for it: one for everything that a joint
+/// The closed form. Obstacles are reported where it is requested, one for everything that a joint
 /// to the ground carries.
 pub fn derive_system_flow(
     system: &System,
@@ -64,8 +64,8 @@ pub fn derive_system_flow(
     })
 }
 
-/// The motion of each joint, if it has a closed form: first by itself, then together with a
-/// pendulum among the others.
+/// The motion of each joint, if all have a closed form. A joint is tried by itself first, and then
+/// together with one of the pendulums.
 fn courses(
     system: &System,
     work: &mut Workspace,
@@ -90,7 +90,7 @@ fn courses(
 }
 
 impl SystemFlow {
-    /// The kinds of motions, line by line.
+    /// The kinds of motion, in words, line by line.
     pub fn describe(&self) -> Vec<String> {
         let lines = self.joints.iter().map(|(name, _, course)| {
             let motion = match course {

@@ -1,28 +1,28 @@
-//! Absolute coordinates: for each open rotational coordinate the angle of its link in the world,
-//! for the others the coordinate itself.
+//! Absolute coordinates: for each open rotational coordinate, the angle of its link in the world;
+//! for any other, the coordinate itself.
 
 use crate::mechanics::tree::link::{Freedom, Link, Tree};
 use crate::symbolic::{Graph, Id};
 
 use super::super::constraints::Placed;
 
-/// The coordinates that turn the links of a tree. Links that are welded to their carriers turn with
-/// them.
+/// The coordinates that rotate the links of a tree. Links that are welded to their carriers rotate
+/// with them.
 pub struct Absolute {
-    /// The coordinate of the angle of each link; none if its rotation is known.
+    /// The coordinate that is the angle of each link; `None` if its rotation is known.
     pub turns: Vec<Option<usize>>,
-    /// Its angular acceleration without the part of the coordinate.
+    /// The angular acceleration of each link, without that of its coordinate.
     pub given: Vec<Id>,
-    /// The square of its angular velocity.
+    /// The square of the angular velocity of each link.
     pub squares: Vec<Id>,
     /// The first coordinate of each link.
     pub first: Vec<usize>,
     pub count: usize,
-    /// Hinges: the coordinate, and the link that carries it.
+    /// For each hinge: its coordinate, and the link that carries it.
     hinges: Vec<(usize, usize)>,
 }
 
-/// Whether a freedom turns the carried links.
+/// Whether a freedom rotates the carried links.
 pub fn is_turn(graph: &Graph, freedom: &Freedom) -> bool {
     !graph.is_zero_vector(&freedom.twist.angular)
 }
@@ -66,7 +66,7 @@ impl Absolute {
         found
     }
 
-    /// A covector of joint coordinates, for absolute ones: `T^T u`.
+    /// Loads along joint coordinates, turned into loads along absolute ones: `T^T u`.
     pub fn gathered(&self, graph: &mut Graph, of_joints: &[Id]) -> Vec<Id> {
         let mut all = of_joints.to_vec();
         for (own, carrier) in &self.hinges {
@@ -77,7 +77,7 @@ impl Absolute {
         all
     }
 
-    /// The accelerations of joints, `T x - d`.
+    /// The accelerations of joint coordinates, `T x - d`.
     pub fn of_joints(&self, graph: &mut Graph, absolute: &[Id]) -> Vec<Id> {
         let mut all = absolute.to_vec();
         for (own, carrier) in &self.hinges {

@@ -6,15 +6,16 @@ use crate::symbolic::{Components, Graph, Id};
 
 use super::super::constraints::Placed;
 
-/// The vectors that are formed for each link. A vector parallel to one of them becomes a multiple
-/// of it.
+/// The vectors formed so far for each link. A vector parallel to one of them becomes a multiple of
+/// it.
 pub struct Arms<'a> {
     placed: &'a [Placed],
-    /// In the axes of the link, and in those of the world.
+    /// Each vector in the axes of the link, and in those of the world.
     known: Vec<Vec<[Components; 2]>>,
 }
 
-/// A vector of a link as a sum, `along a + across z x a`: products with it are those with its arm.
+/// A vector of a link, written as `along a + across z x a` with an arm a of the link, so that
+/// products with the vector become products with the arm.
 pub struct ByArm {
     arm: Components,
     along: Id,
@@ -35,7 +36,7 @@ impl<'a> Arms<'a> {
         }
     }
 
-    /// A vector of a link, in world axes; the opposite of a known one is its negative.
+    /// A vector of a link, in world axes. The opposite of a known vector is its negative.
     pub fn world(&mut self, graph: &mut Graph, link: usize, vector: Components) -> Components {
         if graph.is_zero_vector(&vector) {
             return vector;
@@ -76,8 +77,8 @@ impl<'a> Arms<'a> {
         self.placed[link].w[2]
     }
 
-    /// A vector of a link by its first arm that is known early, if that is so whatever the
-    /// parameters are: with these, an arm may be zero.
+    /// A vector of a link, written with the link's first arm that is known early. If that arm may
+    /// be zero for some parameters, the vector is its own arm instead.
     pub fn by_arm(&mut self, graph: &mut Graph, link: usize, vector: Components) -> ByArm {
         let mut known = self.known[link].iter();
         if let Some([own, arm]) = known.find(|[own, _]| graph.are_early(own)).copied()

@@ -1,5 +1,5 @@
-//! The balances of absolute coordinates, `M x'' = f`, link by link: the origin of a link has a
-//! column for each coordinate that moves it.
+//! The balances of absolute coordinates, `M x'' = f`, link by link. The motion of the origin of a
+//! link has a column for each coordinate that moves it.
 
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::regroup;
@@ -10,18 +10,18 @@ use super::arms::{Arms, ByArm, quarter_turn};
 use super::shortest::Shortest;
 use super::slopes::coriolis;
 
-/// The motion of the origin of a link, world axes.
+/// The motion of the origin of a link, in world axes.
 #[derive(Clone, Default)]
 struct OriginMotion {
-    /// Its acceleration per unit of each coordinate's acceleration.
+    /// Its acceleration per unit acceleration of each coordinate.
     columns: Vec<(usize, Components)>,
-    /// The rest of its acceleration, minus that of free fall: vectors with factors.
+    /// The remainder of its acceleration, minus that of free fall: vectors with factors.
     rest: Vec<(Id, Components)>,
-    /// Its additions to the columns of its carrier.
+    /// What it adds to the columns of its carrier.
     steps: Vec<(usize, Components)>,
 }
 
-/// The inertia of absolute coordinates, and their loads, without the drives of joints.
+/// The inertia of absolute coordinates, and the loads along them, without the drives of joints.
 pub fn derive_masses(
     graph: &mut Graph,
     absolute: &Absolute,
@@ -50,7 +50,7 @@ pub fn derive_masses(
         };
         balances.add(graph, &link, moving);
     }
-    // loads are passed on to the carriers
+    // each link passes its loads on to its carrier
     let mut forces = vec![graph.zeros(); tree.links.len()];
     for (index, link) in tree.links.iter().enumerate().rev() {
         let number = shortest.numbers[index];
@@ -133,7 +133,7 @@ fn motions(
     all
 }
 
-/// The inertia of a link about its origin, and its rotation.
+/// The inertia of a link about its origin, and the coordinate of its rotation.
 struct Inert {
     mass: Id,
     first: ByArm,
@@ -158,7 +158,8 @@ impl Balances {
         self.driving[coordinate] = graph.add(self.driving[coordinate], part);
     }
 
-    /// Adds the balances of the momentum `m v + x z x s`, and of `x I + s x v` about the origin.
+    /// Adds the balances of the momentum, `m v + x z x s`, and of the angular momentum about the
+    /// origin, `x I + s x v`.
     fn add(&mut self, graph: &mut Graph, link: &Inert, moving: &OriginMotion) {
         for (place, (i, column)) in moving.columns.iter().enumerate() {
             for (j, other) in &moving.columns[..=place] {

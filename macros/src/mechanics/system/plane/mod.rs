@@ -1,5 +1,5 @@
-//! Loops in the plane, in absolute angles. The slopes of a loop are then the arms of its links, and
-//! the inertia couples only links that carry each other.
+//! Loops in the plane, in absolute angles. In these, the slopes of a loop are the arms of its
+//! links, and inertia couples only links of which one carries the other.
 //!
 //! ```text
 //! q'' = T x - d        T: each joint has the angle of its link, less that of its carrier

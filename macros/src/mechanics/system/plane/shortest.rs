@@ -1,5 +1,5 @@
-//! The choice of carrying joints: absolute angles do not depend on where loops are closed, and in
-//! short chains fewer links are coupled by their inertia.
+//! The choice of the joints that carry links. Absolute angles do not depend on where loops are cut,
+//! and in short chains, inertia couples fewer links.
 
 use crate::mechanics::tree::link::{Link, Tree};
 use crate::symbolic::{Components, Graph};
@@ -7,14 +7,14 @@ use crate::symbolic::{Components, Graph};
 use super::super::constraints::Ends;
 use super::absolute::is_turn;
 
-/// A tree in which hinges that close loops may carry, and others are left out.
+/// A tree in which some hinges that closed loops carry links, and others close the loops instead.
 pub struct Shortest {
     pub tree: Tree,
-    /// The link of the given tree that each one is.
+    /// For each link, its index in the given tree.
     pub numbers: Vec<usize>,
 }
 
-/// A hinge that closes a loop: its links, and its offsets from their origins.
+/// A hinge that closes a loop: its two links, each with the offset of the hinge from the origin.
 type Pin = [(Option<usize>, Components); 2];
 
 /// The tree in which each link is carried by the hinge that brings it nearest to the ground.
@@ -30,7 +30,7 @@ pub fn shortest(graph: &mut Graph, tree: &Tree, ends: &[&Ends<'_>]) -> Shortest 
     sorted(&tree)
 }
 
-/// A hinge that brings one of its links nearer to the ground if it carries it.
+/// A hinge that would bring one of its links nearer to the ground by carrying it.
 fn nearer(graph: &Graph, tree: &Tree, pins: &[Pin]) -> Option<(usize, usize)> {
     let depth = |link: Option<usize>| {
         let mut depth = 0;
@@ -57,7 +57,8 @@ fn nearer(graph: &Graph, tree: &Tree, pins: &[Pin]) -> Option<(usize, usize)> {
     found.map(|(number, end, _)| (number, end))
 }
 
-/// Carries a link by a hinge that closed a loop; the one that carried it closes it instead.
+/// Lets a hinge that closed a loop carry a link. The hinge that carried the link closes the loop
+/// instead.
 fn exchange(graph: &mut Graph, tree: &mut Tree, pins: &mut [Pin], pin: usize, end: usize) {
     let ((Some(index), step), (carrier, place)) = (pins[pin][end], pins[pin][1 - end]) else {
         return;

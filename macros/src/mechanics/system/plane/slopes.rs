@@ -8,15 +8,15 @@ use super::super::reduced::LinearRow;
 use super::absolute::{Absolute, is_turn};
 use super::arms::{Arms, quarter_turn};
 
-/// The part of a link in a loop: a vector in its axes, from where the loop enters to where it
-/// leaves.
+/// The part of a link in a loop: a vector in its axes, from where the loop enters the link to where
+/// it leaves it.
 struct Part {
     vector: Components,
-    /// The number of times that the loop passes through its joint forwards, minus backwards.
+    /// How often the loop passes through the joint of the link: forwards minus backwards.
     passes: i32,
 }
 
-/// The two rows of a hinge that closes a loop: the sum of the arms of its links is kept.
+/// The two rows of a hinge that closes a loop. They keep the sum of the arms of its links constant.
 ///
 /// ```text
 /// sum of z x a_i x_i = sum of w_i^2 a_i - ..
@@ -58,23 +58,23 @@ pub fn of_hinge(
     })
 }
 
-/// The sum over the links of a loop.
+/// The sum over the links of a loop, while it is formed.
 struct Sum {
-    /// By absolute coordinate, with the squares of their terms.
+    /// One column for each absolute coordinate, and the sums of the squares of its terms.
     columns: Vec<Components>,
     sizes: Vec<Id>,
     right: Components,
 }
 
 impl Sum {
-    /// Adds the effect of a coordinate: a vector, of this length.
+    /// Adds the effect of a coordinate: a vector, and the vector that gives its length.
     fn by(&mut self, graph: &mut Graph, own: usize, (column, length): (Components, Components)) {
         self.columns[own] = graph.add_vectors(self.columns[own], column);
         let square = graph.norm_squared(length);
         self.sizes[own] = graph.add(self.sizes[own], square);
     }
 
-    /// Adds the slides of a link, through whose joint the loop passes.
+    /// Adds the slides of a link if the loop passes through the joint of the link.
     fn slides(
         &mut self,
         graph: &mut Graph,
@@ -120,7 +120,7 @@ pub fn coriolis(graph: &mut Graph, w: Id, rate: Id, along: Components) -> Compon
     graph.scale_vector(twice, across)
 }
 
-/// The part of each link in the loop of a joint.
+/// The part that each link has in the loop of a joint.
 fn parts(graph: &mut Graph, tree: &Tree, ends: &Ends<'_>) -> Vec<Option<Part>> {
     let zeros = graph.zeros();
     let mut sums: Vec<Part> = tree
@@ -152,7 +152,7 @@ fn parts(graph: &mut Graph, tree: &Tree, ends: &Ends<'_>) -> Vec<Option<Part>> {
     .collect()
 }
 
-/// A row that is given in the coordinates of joints.
+/// A row given in joint coordinates, written in absolute ones.
 pub fn of_row(graph: &mut Graph, absolute: &Absolute, row: &ConstraintRow) -> LinearRow {
     let slopes = absolute.gathered(graph, &row.slopes);
     let slopes: Vec<Id> = slopes.into_iter().map(|one| graph.quantity(one)).collect();

@@ -1,4 +1,4 @@
-//! Balances and rows, solved block after block.
+//! Balances and rows, solved block by block.
 
 use crate::mechanics::proofs::samples;
 use crate::model::Workspace;
@@ -19,27 +19,28 @@ pub struct LinearRow {
 #[derive(Clone)]
 pub struct Balance {
     pub name: String,
-    /// The inertia by the accelerations of all coordinates.
+    /// The inertia, per acceleration of each coordinate.
     pub masses: Vec<Id>,
     pub driving: Id,
 }
 
-/// Balances and rows in the course of solution.
+/// Balances and rows while they are being solved.
 pub struct Balances<'w> {
     pub work: &'w mut Workspace,
     pub all: Vec<Balance>,
     pub rows: Vec<LinearRow>,
     /// Bounds of the inertia of each coordinate.
     sizes: Vec<Id>,
-    /// The number of original coordinates: the others stand for several.
+    /// The number of original coordinates. The later ones each stand for several.
     given: usize,
-    /// The coordinates that are not solved for yet, and the rows that are not solved.
+    /// Whether each coordinate is still to be solved for, and whether each row is still to be
+    /// solved.
     pub open: Vec<bool>,
     is_left: Vec<bool>,
     pub blocks: Vec<Block>,
 }
 
-/// The rows of a block by its coordinates.
+/// The rows of a block, and their coefficients for its coordinates.
 struct Chosen {
     rows: Vec<usize>,
     coordinates: Vec<usize>,
@@ -64,14 +65,14 @@ impl<'w> Balances<'w> {
         balances
     }
 
-    /// The unsolved rows.
+    /// The rows that are not solved yet.
     pub fn left(&self) -> Vec<usize> {
         (0..self.rows.len())
             .filter(|row| self.is_left[*row])
             .collect()
     }
 
-    /// Slopes that are proved to vanish.
+    /// Replaces slopes that are proved to vanish by zero.
     fn drop_zeros(&mut self) {
         let left = self.left();
         let slopes = left.iter().flat_map(|row| self.rows[*row].slopes.clone());
@@ -119,7 +120,8 @@ impl<'w> Balances<'w> {
         true
     }
 
-    /// Solves rows for as many coordinates; none if their determinant may vanish on a whole branch.
+    /// Solves rows for equally many coordinates. `None` if the determinant may vanish on a whole
+    /// branch.
     fn determined(&mut self, known: Chosen) -> Option<Block> {
         let graph = &mut self.work.graph;
         let (determinant, numerators) = solved(graph, &known.slopes, &known.right);
@@ -145,9 +147,9 @@ impl<'w> Balances<'w> {
         })
     }
 
-    /// One over a determinant `d / (d d)`. Slopes along ways are sums that may vanish in closed
-    /// states, so their values do not bound their terms. Like the inertia along ways, it is
-    /// compared with the bounds of the squares of slopes.
+    /// The reciprocal of a determinant, as `d / (d d)`. Slopes along ways are sums that may vanish
+    /// in closed states, so their values do not bound their terms. So the square is compared with
+    /// the bounds of the squares of slopes, like the inertia along ways.
     fn inverse_by_squares(&mut self, determinant: Id, known: &Chosen) -> Id {
         let bounds = self.bounds(known);
         let graph = &mut self.work.graph;
@@ -159,8 +161,8 @@ impl<'w> Balances<'w> {
         graph.multiply(determinant, inverse)
     }
 
-    /// Rows of one coordinate more; nothing where there may be no way, or none with inertia,
-    /// throughout a branch.
+    /// Solves rows with one coordinate more. `None` if, on a whole branch, there may be no way, or
+    /// none with inertia.
     fn with_way(&mut self, known: Chosen) -> Option<Block> {
         let bounds = self.bounds(&known);
         let graph = &mut self.work.graph;
@@ -226,7 +228,8 @@ impl<'w> Balances<'w> {
         bounds.collect()
     }
 
-    /// A coordinate that stands for others along a way: its balance, and its slopes in the rows.
+    /// Adds a coordinate that stands for others along a way: its balance, and its slopes in the
+    /// rows.
     fn stand_for(&mut self, coordinates: &[usize], along: &[Id], inertia: Id) -> usize {
         let graph = &mut self.work.graph;
         let mut masses: Vec<Id> = Vec::new();
@@ -253,7 +256,7 @@ impl<'w> Balances<'w> {
         self.all.len() - 1
     }
 
-    /// Substitutes solved coordinates into the other balances and rows.
+    /// Substitutes the solved coordinates into the other balances and rows.
     fn replace(&mut self, mut block: Block) {
         let graph = &mut self.work.graph;
         let zero = graph.zero();
@@ -277,7 +280,7 @@ impl<'w> Balances<'w> {
             }
             block.later.push((number, slopes));
         }
-        // along its way, the fixed part has no inertia
+        // the fixed part has no inertia along its own way
         let way = block.way.as_ref().map(|way| way.coordinate);
         for (coordinate, balance) in self.all.iter_mut().enumerate() {
             if self.open[coordinate] && way != Some(coordinate) {
@@ -302,7 +305,7 @@ pub fn at(list: &[Id], coordinates: &[usize]) -> impl Iterator<Item = Id> {
     coordinates.iter().map(|own| list[*own])
 }
 
-/// The sum of the products.
+/// The sum of the products of corresponding entries.
 pub fn products(graph: &mut Graph, first: impl Iterator<Item = Id>, second: &[Id]) -> Id {
     let pairs = first.zip(second);
     let parts: Vec<Id> = pairs.map(|(a, b)| graph.multiply(a, *b)).collect();

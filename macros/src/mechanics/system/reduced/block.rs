@@ -1,4 +1,4 @@
-//! Blocks: rows that are solved together, and the results.
+//! Blocks: rows that are solved together, and their solutions.
 
 use crate::symbolic::{Graph, Id};
 
@@ -6,18 +6,18 @@ use crate::symbolic::{Graph, Id};
 pub struct Block {
     pub rows: Vec<usize>,
     pub coordinates: Vec<usize>,
-    /// The slopes of these rows, by these coordinates.
+    /// The slopes of these rows along these coordinates.
     pub slopes: Vec<Vec<Id>>,
-    /// The values of the coordinates, without the motion along the remaining way.
+    /// The values of the coordinates, without the motion along the way that remains, if one does.
     pub fixed: Vec<Id>,
     pub way: Option<Way>,
-    /// One over the determinant of the rows, or over the inertia along the way.
+    /// The reciprocal of the determinant of the rows, or of the inertia along the way.
     pub inverse: Id,
-    /// The slopes of later rows that contain these coordinates.
+    /// Later rows that contain these coordinates, with their slopes along them.
     pub later: Vec<(usize, Vec<Id>)>,
 }
 
-/// The way of moving that remains.
+/// The way, a direction of motion, that the rows of a block leave free.
 pub struct Way {
     pub along: Vec<Id>,
     /// `M n`
@@ -28,8 +28,8 @@ pub struct Way {
     pub coordinate: usize,
 }
 
-/// The smallest set of rows that contains at most one coordinate more than it has rows; among
-/// equals, the one with the fewest coordinates.
+/// The smallest set of rows that contains as many coordinates as rows, or one more. Of equally
+/// small sets, the one with the fewest coordinates.
 pub fn next_rows(open: &[(usize, Vec<usize>)]) -> Option<(Vec<usize>, Vec<usize>)> {
     let with = |parts: &[&(usize, Vec<usize>)]| {
         let rows: Vec<usize> = parts.iter().map(|(row, _)| *row).collect();
@@ -51,8 +51,8 @@ pub fn next_rows(open: &[(usize, Vec<usize>)]) -> Option<(Vec<usize>, Vec<usize>
         .min_by_key(|(rows, coordinates)| (rows.len(), coordinates.len()))
 }
 
-/// The way of moving that rows leave, by their minors, and bounds of the squares of its components
-/// by those of the slopes.
+/// The way that rows leave free, whose components are their minors, and bounds of the squares of
+/// these components, from those of the slopes.
 pub fn way(graph: &mut Graph, slopes: &[Vec<Id>], sizes: &[Id]) -> (Vec<Id>, Vec<Id>) {
     match (slopes, sizes) {
         ([row], [a, b]) => (vec![row[1], graph.negate(row[0])], vec![*b, *a]),
@@ -66,7 +66,8 @@ pub fn way(graph: &mut Graph, slopes: &[Vec<Id>], sizes: &[Id]) -> (Vec<Id>, Vec
     }
 }
 
-/// The determinant of as many rows as coordinates, and their values times it.
+/// The determinant of equally many rows and coordinates, and the values of the coordinates times
+/// it.
 pub fn solved(graph: &mut Graph, slopes: &[Vec<Id>], right: &[Id]) -> (Id, Vec<Id>) {
     let determinant = |graph: &mut Graph, [a, b]: [Id; 2], [c, d]: [Id; 2]| {
         let (ad, bc) = (graph.multiply(a, d), graph.multiply(b, c));
@@ -84,7 +85,7 @@ pub fn solved(graph: &mut Graph, slopes: &[Vec<Id>], right: &[Id]) -> (Id, Vec<I
     }
 }
 
-/// `p mu` of `A p = r`, `m . p = 0`.
+/// `p mu`, where `A p = r` and `m . p = 0`.
 pub fn numerators(graph: &mut Graph, slopes: &[Vec<Id>], right: &[Id], momentum: &[Id]) -> Vec<Id> {
     match (slopes, right, momentum) {
         ([_], [right], [first, second]) => {

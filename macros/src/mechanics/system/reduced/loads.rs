@@ -1,5 +1,5 @@
-//! The loads of constraints, once the motion is known, from the remainder of the balances:
-//! `A^T l = M x - f`.
+//! The loads of constraints once the motion is known. They follow from the remainder of the
+//! balances: `A^T l = M x - f`.
 
 use crate::symbolic::{Graph, Id};
 
@@ -7,8 +7,8 @@ use super::balances::{at, products};
 use super::block::Block;
 use super::motion::Reduced;
 
-/// The load of each row, from the remainder of the balances of the original coordinates. The last
-/// block comes first, because the balances of a block contain the loads of later ones.
+/// The load of each row, from the remainder of the balances of the original coordinates. Blocks are
+/// taken in reverse order, because the balances of a block contain the loads of later ones.
 pub fn loads(graph: &mut Graph, reduced: &Reduced, lacking: &[Id], rows: usize) -> Vec<Id> {
     let zero = graph.zero();
     let mut lacking = lacking.to_vec();
@@ -41,8 +41,8 @@ pub fn loads(graph: &mut Graph, reduced: &Reduced, lacking: &[Id], rows: usize) 
     loads
 }
 
-/// The loads of a block, before its reciprocal is applied: of `A^T l = w`, or of `A^T l + s M n =
-/// w` if a way remains, along which nothing is lacking.
+/// The loads of a block, before they are multiplied by its reciprocal. They solve `A^T l = w`; or,
+/// if a way remains, `A^T l + s M n = w`, since nothing is lacking along the way.
 fn of_block(graph: &mut Graph, block: &Block, lacking: &[Id]) -> Vec<Id> {
     let momentum = block.way.as_ref().map(|way| way.momentum.as_slice());
     match (block.slopes.as_slice(), lacking, momentum) {

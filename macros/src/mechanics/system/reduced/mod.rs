@@ -1,21 +1,21 @@
-//! Motion under constraints, without their loads.
+//! The motion under constraints, found without the loads of these.
 //!
 //! ```text
 //! M x = f + A^T l        A x = r
 //! ```
 //!
-//! Rows in one coordinate more than their number leave one direction n of motion, `A n = 0`. Its
-//! components are the minors of the rows, which vanish together only where the rows are dependent.
-//! The balances along it have the inertia `n . M n`, and
+//! Rows with one coordinate more than there are rows leave one direction n of motion, `A n = 0`.
+//! Its components are the minors of the rows, which vanish together only where the rows are
+//! dependent. The balances along n have the inertia `n . M n`, and
 //!
 //! ```text
 //! x = p + t n        A p = r,  n . M p = 0        (n . M n) t = n . f
 //! ```
 //!
-//! holds in all states in which the rows are independent: no coordinate is chosen, so there is no
-//! division by one that stands still. In all other balances and rows t replaces the coordinates, so
-//! that loop after loop is resolved. Rows in as many coordinates as their number determine these.
-//! The remaining ones are eliminated.
+//! holds in all states in which the rows are independent. No coordinate is chosen, so nothing is
+//! divided by the rate of a coordinate that stands still. In all other balances and rows, t
+//! replaces the coordinates, so that one loop after another is solved. Rows with as many
+//! coordinates as there are rows determine these coordinates. All remaining rows are eliminated.
 
 mod balances;
 mod block;

@@ -1,4 +1,4 @@
-//! Accelerations, block by block.
+//! Accelerations, solved for block by block.
 
 use crate::model::Workspace;
 use crate::symbolic::{Elimination, Id, Size};
@@ -7,16 +7,17 @@ use super::balances::{Balance, Balances, LinearRow, at};
 use super::block::Block;
 use super::together::{LoadedRow, together};
 
-/// The solution.
+/// The solution of balances and rows.
 pub struct Reduced {
-    /// The accelerations of all coordinates: the original ones, and those that stand for others.
+    /// The accelerations of all coordinates: the original ones, followed by those that stand for
+    /// others.
     pub values: Vec<Id>,
     pub blocks: Vec<Block>,
-    /// The rows that were eliminated with the balances, each with its load.
+    /// The rows that were eliminated together with the balances, each with its load.
     pub eliminated: Vec<(usize, Id)>,
 }
 
-/// Solves `M x = f + A^T l`, `A x = r` for x; none if rows turn out to be dependent.
+/// Solves `M x = f + A^T l`, `A x = r` for x. `None` if rows turn out to be dependent.
 pub fn reduce(
     work: &mut Workspace,
     balances: Vec<Balance>,
@@ -27,7 +28,7 @@ pub fn reduce(
     finish(balances)
 }
 
-/// Eliminates the rest; then the values of all coordinates follow, the last ones first.
+/// Eliminates what remains. From that, the values of all coordinates follow, in reverse order.
 fn finish(mut balances: Balances<'_>) -> Option<Reduced> {
     let zero = balances.work.graph.zero();
     let mut values = vec![zero; balances.all.len()];
@@ -51,7 +52,7 @@ fn finish(mut balances: Balances<'_>) -> Option<Reduced> {
             }
             continue;
         };
-        // a coordinate that moves alone is divided once, together with those it stands for
+        // a coordinate that moves alone is divided once, together with those that it stands for
         let is_alone = alone.contains(&way.coordinate);
         let (parts, by) = if is_alone {
             (&way.numerators, balances.all[way.coordinate].driving)
@@ -75,8 +76,8 @@ fn finish(mut balances: Balances<'_>) -> Option<Reduced> {
     })
 }
 
-/// Whether a coordinate stands for others, and no other remaining coordinate or row is coupled to
-/// it.
+/// Whether a coordinate stands for others and is not coupled to any other remaining coordinate or
+/// row.
 fn is_alone(balances: &Balances<'_>, own: usize, left: &[usize]) -> bool {
     let graph = &balances.work.graph;
     let mut ways = balances
@@ -91,7 +92,7 @@ fn is_alone(balances: &Balances<'_>, own: usize, left: &[usize]) -> bool {
             .all(|row| graph.is_zero(balances.rows[*row].slopes[own]))
 }
 
-/// The balances and the rows that are left, together.
+/// Eliminates the remaining balances and rows together.
 fn eliminate(balances: &mut Balances<'_>, open: &[usize], left: &[usize]) -> Elimination {
     let own = open.iter().map(|own| &balances.all[*own]);
     let masses = own.clone().map(|one| at(&one.masses, open).collect());

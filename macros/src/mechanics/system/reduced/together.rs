@@ -1,4 +1,4 @@
-//! Balances and constraint rows, as equations for the coordinates and then the loads.
+//! Balances and constraint rows, as equations for the coordinates first and then the loads.
 
 use crate::mechanics::proofs::samples;
 use crate::model::Workspace;
@@ -14,8 +14,8 @@ pub struct LoadedRow {
     pub own: Id,
 }
 
-/// `M x - P l = f`, `A x + c l = r`. The matrix is not definite: the loads, of which `of_load` is
-/// known, are eliminated last.
+/// `M x - P l = f`, `A x + c l = r`. The matrix is not definite. The loads, whose divisors are
+/// compared as `of_load` says, are eliminated last.
 pub fn together(
     work: &mut Workspace,
     (masses, driving): (&[Vec<Id>], &[Id]),

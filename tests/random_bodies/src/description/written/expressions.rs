@@ -1,4 +1,4 @@
-//! Scalars, conditions and vectors as they are written.
+//! Scalars, conditions and vectors, as they are written.
 
 use crate::description::expression::{Binary, Condition, Course, Scalar, Unary, Vector};
 use crate::description::literal::Literal;

@@ -140,24 +140,28 @@ impl<A: Adaptive, B: Generic> Work for Stream<'_, A, B> {
         let mut seats = Seats::new(self.plan, self.states);
         let mut register = InRegister::new(simd, self.plan, &seats);
         loop {
-            let fresh = register.fill(&mut waiting, &mut seats, self.states);
-            if fresh.iter().any(|one| *one != 0.0) {
-                by_itself(
-                    simd,
-                    #[cfg_attr(not(unoptimized), inline(always))]
-                    || register.begin(&seats, &fresh),
-                );
+            if register.has_stopped {
+                self.clear(&mut register);
+                let fresh = register.fill(&mut waiting, &mut seats, self.states);
+                if fresh.iter().any(|one| *one != 0.0) {
+                    by_itself(
+                        simd,
+                        #[cfg_attr(not(unoptimized), inline(always))]
+                        || register.begin(&seats, &fresh),
+                    );
+                }
+                if register.lanes.iter().all(|lane| lane.member.is_none()) {
+                    return;
+                }
             }
-            if register.lanes.iter().all(|lane| lane.member.is_none()) {
-                return;
-            }
-            register.choose();
             by_itself(
                 simd,
                 #[cfg_attr(not(unoptimized), inline(always))]
-                || register.step(),
+                || {
+                    register.choose();
+                    register.step();
+                },
             );
-            self.clear(&mut register);
         }
     }
 }
@@ -165,6 +169,7 @@ impl<A: Adaptive, B: Generic> Work for Stream<'_, A, B> {
 impl<A: Adaptive, B: Generic> Stream<'_, A, B> {
     /// Clears the lanes of members that are done, and stores their states.
     fn clear<S: Register>(&mut self, register: &mut InRegister<'_, A, B, S>) {
+        register.has_stopped = false;
         for lane in 0..Lanes::<S>::COUNT {
             let Lane { member, state, .. } = register.lanes[lane];
             let Some(member) = member.filter(|_| state != Progress::Going) else {

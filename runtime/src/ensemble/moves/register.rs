@@ -15,9 +15,10 @@ use crate::ensemble::blocks::{BLOCK, Eight};
 use crate::ensemble::evaluate::{Laned, read};
 use crate::ensemble::plan::Plan;
 use crate::integrate::{
-    Adaptive, Equations, Rates, Within, add, error, finest, first, in_range, tried,
+    Adaptive, Embedded as _, Equations, LOOK, Lengths, Rates, Within, add, attempt, compensated,
+    finest, first, shrunk,
 };
-use crate::numbers::lanes::{Lanes, Register, by_itself};
+use crate::numbers::lanes::{Lanes, Mask, Register, by_itself};
 use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
@@ -31,25 +32,53 @@ pub(super) struct InRegister<'e, A, B: Generic, S: Register> {
     plan: &'e Plan<'e, A, B>,
     tolerance: f64,
     pub(super) lanes: [Lane; BLOCK],
+    /// Whether any lane has come to a stop, or is empty.
+    pub(super) has_stopped: bool,
     member: Laned<B, S>,
     input: InputOf<B, S>,
     coordinates: ArrayOf<B, S>,
     lost: ArrayOf<B, S>,
+    /// 1 in lanes whose members move.
+    going: Lanes<S>,
+    time: Lanes<S>,
+    /// The rounding error of the time.
+    late: Lanes<S>,
+    /// The time at which the next step must end.
+    limit: Lanes<S>,
+    /// The bounds of the stretch of time.
+    stretch: [Lanes<S>; 2],
+    /// The next step, zero if there is none, and whether it reaches the limit.
+    step: Lanes<S>,
+    is_last: Mask<S>,
+    lengths: Lengths<Lanes<S>>,
+    /// The number of steps that were not cut short.
+    steps: Lanes<S>,
 }
 
 impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
     /// All lanes are empty.
     #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn new(simd: S, plan: &'e Plan<'e, A, B>, seats: &Seats<B>) -> Self {
+        let zero = Lanes::splat(simd, 0.0);
         Self {
             simd,
             plan,
             tolerance: finest(plan.method.tolerance()),
             lanes: [Lane::EMPTY; BLOCK],
+            has_stopped: true,
             member: read(simd, &seats.bodies, 0),
             input: read(simd, &seats.inputs, 0),
             coordinates: Default::default(),
             lost: Default::default(),
+            going: zero,
+            time: zero,
+            late: zero,
+            limit: zero,
+            stretch: [zero; 2],
+            step: zero,
+            is_last: zero.less(zero),
+            lengths: Lengths::from(zero),
+            steps: zero,
         }
     }
 
@@ -75,25 +104,30 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
     }
 
     #[cfg_attr(not(unoptimized), inline(always))]
-    fn register(&self, part: impl Fn(&Lane) -> f64) -> Lanes<S> {
-        let row: Eight = core::array::from_fn(|lane| part(&self.lanes[lane]));
-        self.row(&row)
-    }
-
-    #[cfg_attr(not(unoptimized), inline(always))]
     fn row(&self, row: &Eight) -> Lanes<S> {
         let (registers, _) = S::as_simd_f64s(row);
         Lanes::new(self.simd, registers[0])
     }
 
+    #[cfg_attr(not(unoptimized), inline(always))]
+    fn splat(&self, number: f64) -> Lanes<S> {
+        Lanes::splat(self.simd, number)
+    }
+
+    #[cfg_attr(not(unoptimized), inline(always))]
+    fn is_going(&self) -> Mask<S> {
+        self.going.equal(self.splat(1.0))
+    }
+
     /// The members, each within its current stretch of time.
     #[cfg_attr(not(unoptimized), inline(always))]
     fn within(&self) -> Within<'_, Laned<B, S>> {
+        let [lower, upper] = self.stretch;
         Within {
             body: &self.member,
-            lower: self.register(|lane| lane.stretch.lower),
-            upper: self.register(|lane| lane.stretch.upper),
-            given: Lanes::splat(self.simd, self.plan.limits.given),
+            lower,
+            upper,
+            given: self.splat(self.plan.limits.given),
         }
     }
 
@@ -110,6 +144,11 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
         }
     }
 
+    #[cfg_attr(not(unoptimized), inline(always))]
+    fn rest(&self) -> Lanes<S> {
+        (self.limit - self.time) + self.late
+    }
+
     /// Begins with new members.
     #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn begin(&mut self, seats: &Seats<B>, fresh: &Eight) {
@@ -118,103 +157,135 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
         self.input = read(simd, &seats.inputs, 0);
         let state: StateOf<B, S> = read(simd, &seats.states, 0);
         let begun = state.coordinates();
-        let is_old = self.row(fresh).equal(Lanes::splat(simd, 0.0));
-        let zero = Lanes::splat(simd, 0.0);
+        let zero = self.splat(0.0);
+        let is_old = self.row(fresh).equal(zero);
         let places = self.coordinates.as_mut().iter_mut();
         let lost = self.lost.as_mut().iter_mut();
         for ((old, lost), new) in places.zip(lost).zip(begun.as_ref()) {
             *old = Lanes::select(is_old, *old, *new);
             *lost = Lanes::select(is_old, *lost, zero);
         }
+        let start = self.splat(self.plan.times.start);
+        self.going = Lanes::select(is_old, self.going, self.splat(1.0));
+        self.time = Lanes::select(is_old, self.time, start);
+        self.late = Lanes::select(is_old, self.late, zero);
+        self.limit = Lanes::select(is_old, self.limit, start);
+        self.steps = Lanes::select(is_old, self.steps, zero);
         for (lane, _) in fresh.iter().enumerate().filter(|(_, new)| **new != 0.0) {
-            self.lanes[lane] = Lane::at(self.lanes[lane].member, &self.plan.times);
+            self.lanes[lane] = Lane::at(self.lanes[lane].member, self.plan.times.start);
             self.go_on(lane);
         }
-        let time = self.register(|lane| lane.time);
-        let rest = self.register(Lane::rest);
         let within = self.within();
         let equations = self.equations(&within);
-        let (from, tolerance) = (&self.coordinates, self.tolerance);
-        let steps = first::<A::Pair, _, _>(&equations, time, from, rest, tolerance);
-        for (lane, _) in fresh.iter().enumerate().filter(|(_, new)| **new != 0.0) {
-            self.lanes[lane].lengths.begin(steps.lane(lane));
-        }
+        let (from, rest, tolerance) = (&self.coordinates, self.rest(), self.tolerance);
+        let step = first::<A::Pair, _, _>(&equations, self.time, from, rest, tolerance);
+        self.lengths = Lengths::select(is_old, self.lengths, Lengths::from(step));
     }
 
-    /// Chooses the next step of each member.
+    /// Chooses the next step of each member; those without a valid step are left.
     #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn choose(&mut self) {
-        self.lanes.iter_mut().for_each(Lane::choose);
+        let zero = self.splat(0.0);
+        let (step, is_last) = self.lengths.next(self.rest());
+        let stays = ((self.time + step) - self.time).equal(zero) & !is_last;
+        let is_due = self.splat(f64::from(LOOK)).less_or_equal(self.steps);
+        let is_lost = !step.equal(step) | stays | is_due;
+        self.leave(is_lost);
+        self.step = Lanes::select(self.is_going(), step, zero);
+        self.is_last = is_last;
     }
 
     /// Attempts these steps, and takes those that are accepted.
     #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn step(&mut self) {
-        let time = self.register(|lane| lane.time);
-        let step = self.register(|lane| lane.step);
         let within = self.within();
         let equations = self.equations(&within);
-        let from = &self.coordinates;
-        let (mut change, sizes) = tried::<A::Pair, _, _>(&equations, time, from, step);
-        <StateOf<B, S>>::keep(&self.coordinates, &mut change);
+        let (from, step, is_last) = (&self.coordinates, self.step, self.is_last);
+        let (mut change, error) = attempt::<A::Pair, _, _>(&equations, self.time, from, step);
+        <StateOf<B, S>>::keep(from, &mut change);
         let (mut next, mut next_lost) = (self.coordinates, self.lost);
-        let zero = Lanes::splat(self.simd, 0.0);
-        let mut is_finite = zero.equal(zero);
-        for (place, change) in next.as_ref().iter().zip(change.as_ref()) {
-            let moved = *place + *change;
-            is_finite = is_finite & (moved * zero).equal(zero);
-        }
-        let finite = Lanes::select(is_finite, Lanes::splat(self.simd, 1.0), zero);
-        let [errors, squares] = error(sizes);
-        let mut accepted = [0.0; BLOCK];
-        for (lane, is_taken) in accepted.iter_mut().enumerate().take(Lanes::<S>::COUNT) {
-            let here = &mut self.lanes[lane];
-            let sizes = [sizes[0].lane(lane), sizes[1].lane(lane)];
-            let error = in_range(sizes, [errors.lane(lane), squares.lane(lane)]);
-            let step = (here.step, here.is_last);
-            if here.is_going()
-                && here
-                    .lengths
-                    .is_accepted::<A::Pair>(step, error, self.tolerance)
-            {
-                if finite.lane(lane) == 0.0 {
-                    here.state = Progress::Left;
-                } else {
-                    *is_taken = 1.0;
-                }
-            }
-        }
         add(&mut next, &mut next_lost, &change);
-        let is_refused = self.row(&accepted).equal(zero);
+
+        let share = error.map(
+            #[cfg_attr(not(unoptimized), inline(always))]
+            |error| shrunk(self.tolerance, error, A::Pair::ESTIMATE),
+        );
+        let tolerance = self.splat(self.tolerance);
+        let is_accepted = self.is_going()
+            & self
+                .lengths
+                .is_accepted((step, is_last), (error, share), tolerance);
+        let zero = self.splat(0.0);
+        let mut is_finite = zero.equal(zero);
+        for place in next.as_ref() {
+            is_finite = is_finite & (*place * zero).equal(zero);
+        }
+        self.leave(is_accepted & !is_finite);
+
+        let is_taken = is_accepted & is_finite;
         for (old, next) in [(&mut self.coordinates, &next), (&mut self.lost, &next_lost)] {
             for (old, next) in old.as_mut().iter_mut().zip(next.as_ref()) {
-                *old = Lanes::select(is_refused, *old, *next);
+                *old = Lanes::select(is_taken, *next, *old);
             }
         }
-        for (lane, _) in accepted.iter().enumerate().filter(|(_, new)| **new != 0.0) {
-            let here = &mut self.lanes[lane];
-            here.follow();
-            if here.time == here.limit || self.plan.limits.max_step < f64::INFINITY {
-                self.go_on(lane);
-            }
+        let (time, late) = compensated(self.time, self.late, step);
+        let time = Lanes::select(is_last, self.limit, time);
+        let late = Lanes::select(is_last, zero, late);
+        self.time = Lanes::select(is_taken, time, self.time);
+        self.late = Lanes::select(is_taken, late, self.late);
+        self.steps += Lanes::select(is_taken & !is_last, self.splat(1.0), zero);
+
+        let is_cut = self.plan.limits.max_step < f64::INFINITY;
+        let turns = is_taken
+            & (if is_cut {
+                is_taken
+            } else {
+                self.time.equal(self.limit)
+            });
+        self.each(turns, Self::go_on);
+    }
+
+    /// Calls a function with each lane in which a truth holds.
+    #[cfg_attr(not(unoptimized), inline(always))]
+    fn each(&mut self, truth: Mask<S>, act: impl Fn(&mut Self, usize)) {
+        if Lanes::agreed(truth) == Some(false) {
+            return;
         }
+        let chosen = Lanes::select(truth, self.splat(1.0), self.splat(0.0));
+        for lane in (0..Lanes::<S>::COUNT).filter(|lane| chosen.lane(*lane) != 0.0) {
+            act(self, lane);
+        }
+    }
+
+    /// Leaves moving members for separate integration.
+    #[cfg_attr(not(unoptimized), inline(always))]
+    fn leave(&mut self, truth: Mask<S>) {
+        let truth = truth & self.is_going();
+        self.each(truth, |register, lane| register.stop(lane, Progress::Left));
+    }
+
+    fn stop(&mut self, lane: usize, state: Progress) {
+        self.lanes[lane].state = state;
+        self.going.put(lane, 0.0);
+        self.has_stopped = true;
     }
 
     /// Sets the end of the next steps of a member, as a course does for a run.
     fn go_on(&mut self, index: usize) {
         let (Range { start, end }, limits) = (self.plan.times.clone(), self.plan.limits);
-        let forwards = end >= start;
-        let lane = &mut self.lanes[index];
-        if lane.time == end {
-            lane.state = Progress::There;
+        let (now, forwards) = (self.time.lane(index), end >= start);
+        if now == end {
+            self.stop(index, Progress::There);
             return;
         }
         let member = (&self.member, &self.input);
-        let from = (lane.time, end, forwards);
-        let limit = limits.until(member, &mut lane.stretch, from, index);
-        match limits.pace().limit(lane.time, limit) {
-            Some(limit) => lane.limit = limit,
-            None => lane.state = Progress::Left,
+        let stretch = &mut self.lanes[index].stretch;
+        let limit = limits.until(member, stretch, (now, end, forwards), index);
+        self.stretch[0].put(index, stretch.lower);
+        self.stretch[1].put(index, stretch.upper);
+        match limits.pace().limit(now, limit) {
+            Some(limit) => self.limit.put(index, limit),
+            None => self.stop(index, Progress::Left),
         }
     }
 

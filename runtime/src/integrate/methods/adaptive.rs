@@ -3,23 +3,19 @@
 use core::fmt;
 use core::marker::PhantomData;
 
-use super::runge_kutta::{DormandPrince8, Embedded, Verner9, number, runge_kutta_step};
+use super::runge_kutta::{DormandPrince8, Embedded, Verner9, runge_kutta_step};
 use crate::bodies::body::RigidBody;
 use crate::bodies::switches::Stretch;
 use crate::integrate::steps::chatter::Watch;
 use crate::integrate::steps::equations::{Equations, Rates};
 use crate::integrate::steps::error::IntegrationError;
+use crate::integrate::steps::lengths::{Lengths, combined, shrunk};
 use crate::integrate::steps::method::{Method, Run, Tolerant};
 use crate::integrate::steps::point::Point;
 use crate::integrate::steps::size::{finest, relative_size, root};
 use crate::integrate::steps::stretch::Within;
-use crate::numbers::scalar::Scalar;
+use crate::numbers::scalar::{Scalar, number};
 use crate::state::Coordinates;
-
-/// The fraction of the step that the last error permits, and the bounds of its change.
-const SAFETY: f64 = 0.9;
-pub(super) const SHRINK: f64 = 1.0 / 3.0;
-const GROW: f64 = 6.0;
 
 /// DOP853: [`DormandPrince8`] with steps as long as the tolerance permits.
 ///
@@ -101,7 +97,8 @@ pub struct AdaptiveRun<'b, B: RigidBody<Scalar = f64, State: Coordinates>, P = D
     now: Point<B::State>,
     /// The start of the last step.
     before: (f64, <B::State as Coordinates>::Array),
-    lengths: Lengths,
+    /// None before the first step.
+    lengths: Option<Lengths<f64>>,
     watch: Watch,
     pair: PhantomData<P>,
 }
@@ -114,74 +111,10 @@ impl<'b, B: RigidBody<Scalar = f64, State: Coordinates>, P> AdaptiveRun<'b, B, P
             tolerance: finest(tolerance),
             before: (time, now.coordinates),
             now,
-            lengths: Lengths::NEW,
+            lengths: None,
             watch: Watch::OF_A_PAIR,
             pair: PhantomData,
         }
-    }
-}
-
-/// The control of step lengths.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Lengths {
-    /// The permitted length of the next step \[s\]; none before the first.
-    permitted: Option<f64>,
-    /// The largest permitted growth.
-    longest: f64,
-    /// The error of the last attempt.
-    error: f64,
-}
-
-impl Lengths {
-    pub(crate) const NEW: Self = Self {
-        permitted: None,
-        longest: GROW,
-        error: 0.0,
-    };
-
-    pub(crate) fn is_new(&self) -> bool {
-        self.permitted.is_none()
-    }
-
-    /// Begins with a step \[s\].
-    pub(crate) fn begin(&mut self, step: f64) {
-        self.permitted = Some(step);
-    }
-
-    /// The next step \[s\] for a given remaining time, and whether it covers all of that.
-    #[cfg_attr(not(unoptimized), inline(always))]
-    pub(crate) fn next(&self, rest: f64) -> (f64, bool) {
-        let permitted = self.permitted.unwrap_or(f64::NAN);
-        if permitted >= rest.abs() {
-            (rest, true)
-        } else {
-            (permitted.copysign(rest), false)
-        }
-    }
-
-    /// Whether a step of a pair with this error is accepted; also sets the length of the next
-    /// step.
-    #[cfg_attr(not(unoptimized), inline(always))]
-    pub(crate) fn is_accepted<P: Embedded>(
-        &mut self,
-        (step, is_last): (f64, bool),
-        error: f64,
-        tolerance: f64,
-    ) -> bool {
-        let next = step.abs() * shrunk::<P>(tolerance, error).min(self.longest);
-        let is_accepted = error <= tolerance;
-        (self.permitted, self.longest, self.error) = if is_accepted {
-            // a step cut short at the end says little about the next
-            let before = self.permitted.filter(|_| is_last);
-            (
-                Some(before.map_or(next, |before| next.max(before))),
-                GROW,
-                0.0,
-            )
-        } else {
-            (Some(next), 1.0, error)
-        };
-        is_accepted
     }
 }
 
@@ -226,28 +159,26 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>, P: Embedded> Run<B> for Ada
         }
         self.before = (self.now.time, self.now.coordinates);
         let (time, rest) = (self.now.time, self.now.rest(end));
-        if self.lengths.is_new() {
+        let lengths = self.lengths.get_or_insert_with(|| {
             let coordinates = &self.now.coordinates;
             let step = first::<P, _, _>(&equations, time, coordinates, rest, self.tolerance);
-            self.lengths.begin(step);
-        }
+            Lengths::from(step)
+        });
         loop {
-            let (step, is_last) = self.lengths.next(rest);
+            let (step, is_last) = lengths.next(rest);
             if step.is_nan() {
                 return Err(self.now.not_finite());
             }
             if (time + step) - time == 0.0 && !is_last {
-                return Err(if self.lengths.error.is_nan() {
+                return Err(if lengths.error().is_nan() {
                     self.now.not_finite()
                 } else {
                     self.now.step_too_small(step)
                 });
             }
-            let (change, error) = attempt::<P, _>(&equations, time, &self.now.coordinates, step);
-            if self
-                .lengths
-                .is_accepted::<P>((step, is_last), error, self.tolerance)
-            {
+            let (change, error) = attempt::<P, _, _>(&equations, time, &self.now.coordinates, step);
+            let share = shrunk(self.tolerance, error, P::ESTIMATE);
+            if lengths.is_accepted((step, is_last), (error, share), self.tolerance) {
                 let is_finite = if is_last {
                     self.now.arrive(change, end)
                 } else {
@@ -285,25 +216,12 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>, P: Embedded> Run<B> for Ada
 /// The increment of a step and its error relative to the state. The error is NaN if a stage is out
 /// of the domain, even in a single component.
 #[cfg_attr(not(unoptimized), inline(always))]
-pub(super) fn attempt<P: Embedded, E: Rates<State: Coordinates<Scalar = f64>>>(
-    equations: &E,
-    time: f64,
-    coordinates: &<E::State as Coordinates>::Array,
-    step: f64,
-) -> (<E::State as Coordinates>::Array, f64) {
-    let (change, sizes) = tried::<P, _, _>(equations, time, coordinates, step);
-    (change, in_range(sizes, error(sizes)))
-}
-
-/// The increment of a step, and the sizes of its differences to methods of lower order (the second
-/// is zero for a pair with one difference). The first is NaN if any component is.
-#[cfg_attr(not(unoptimized), inline(always))]
-pub(crate) fn tried<P: Embedded, T: Scalar, E: Rates<State: Coordinates<Scalar = T>>>(
+pub(crate) fn attempt<P: Embedded, T: Scalar, E: Rates<State: Coordinates<Scalar = T>>>(
     equations: &E,
     time: T,
     coordinates: &<E::State as Coordinates>::Array,
     step: T,
-) -> (<E::State as Coordinates>::Array, [T; 2]) {
+) -> (<E::State as Coordinates>::Array, T) {
     let (change, differences) = P::sums(equations, time, coordinates, step);
     let differences = differences.as_ref();
     let mut is_number = step.equal(step);
@@ -311,41 +229,11 @@ pub(crate) fn tried<P: Embedded, T: Scalar, E: Rates<State: Coordinates<Scalar =
         is_number = is_number & part.equal(*part);
     }
     // no closures: in lanes they would not be compiled for the register
-    let mut sizes = [T::default(); 2];
-    for (size, difference) in sizes.iter_mut().zip(differences) {
-        *size = relative_size::<E::State>(difference, coordinates);
+    let mut error = relative_size::<E::State>(&differences[0], coordinates);
+    if let [_, second] = differences {
+        error = combined(error, relative_size::<E::State>(second, coordinates));
     }
-    let none = step.constant(f64::NAN, f32::NAN);
-    (change, [T::select(is_number, sizes[0], none), sizes[1]])
-}
-
-/// The error of a step by these sizes (only the first for a pair with one difference), and the sum
-/// of squares by whose root it is divided.
-#[cfg_attr(not(unoptimized), inline(always))]
-pub(crate) fn error<T: Scalar>([first, second]: [T; 2]) -> [T; 2] {
-    let squares = first * first + number(first, 0.01) * second * second;
-    [first * (first / squares.sqrt()), squares]
-}
-
-/// The same error, even if the squares are out of range.
-#[cfg_attr(not(unoptimized), inline(always))]
-pub(crate) fn in_range([first, second]: [f64; 2], [error, squares]: [f64; 2]) -> f64 {
-    if squares.is_normal() {
-        error
-    } else if first == 0.0 {
-        0.0
-    } else if first + second == f64::INFINITY {
-        f64::INFINITY
-    } else {
-        first * (first / libm::hypot(first, 0.1 * second))
-    }
-}
-
-/// The fraction of a step that its error permits; for NaN the smallest.
-#[cfg_attr(not(unoptimized), inline(always))]
-pub(super) fn shrunk<P: Embedded>(tolerance: f64, error: f64) -> f64 {
-    let share = SAFETY * root(tolerance, error, P::ESTIMATE);
-    if share >= SHRINK { share } else { SHRINK }
+    (change, T::select(is_number, error, number(step, f64::NAN)))
 }
 
 /// A first step, from the sizes of the first and second derivatives (Hairer and others, II.4), for

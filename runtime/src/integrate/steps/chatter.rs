@@ -44,7 +44,7 @@ const LEAST: f64 = 1.0 / 1_048_576.0;
 const TRIES: usize = 8 * (LEADING + SEEN);
 
 /// The number of steps of a pair between checks.
-pub(in crate::integrate) const LOOK: u32 = 1 << 18;
+pub(crate) const LOOK: u32 = 1 << 18;
 /// The least number of steps ahead of a motion that is checked.
 const AHEAD: f64 = 4_194_304.0; // 2²²
 

@@ -1,4 +1,4 @@
-//! The parts of all steps: equations and the times at which they change, points, sizes, errors,
+//! The parts of all steps: equations and the times at which they change, points, sizes, lengths, errors,
 //! zeros within a step.
 
 pub mod agreement;
@@ -7,6 +7,7 @@ pub mod equations;
 pub mod error;
 pub mod event;
 pub mod instructions;
+pub mod lengths;
 pub mod method;
 pub mod point;
 pub mod size;

@@ -59,9 +59,14 @@ impl<S: Register> Lanes<S> {
         cast_slice_mut(core::slice::from_mut(&mut self.numbers))
     }
 
+    /// Replaces the number in a lane.
+    pub(crate) fn put(&mut self, lane: usize, number: f64) {
+        self.as_mut_slice()[lane] = number;
+    }
+
     /// A function of each number.
     #[cfg_attr(not(unoptimized), inline(always))]
-    pub(super) fn map(mut self, function: impl Fn(f64) -> f64) -> Self {
+    pub(crate) fn map(mut self, function: impl Fn(f64) -> f64) -> Self {
         for number in self.as_mut_slice() {
             *number = function(*number);
         }

@@ -174,6 +174,16 @@ pub trait Scalar:
     fn max(self, other: Self) -> Self;
 }
 
+/// A constant, rounded to the precision of a scalar.
+#[cfg_attr(not(unoptimized), inline(always))]
+pub(crate) fn number<T: Scalar>(like: T, value: f64) -> T {
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "the nearest in single precision"
+    )]
+    like.constant(value, value as f32)
+}
+
 /// The values of one of two branches; if the numbers do not agree, both are computed and selected
 /// number by number.
 #[cfg_attr(not(unoptimized), inline(always))]

@@ -10,7 +10,7 @@
 use crate::bodies::body::RigidBody;
 use crate::integrate::steps::equations::{Equations, Rates};
 use crate::integrate::steps::stretch::Given;
-use crate::numbers::scalar::Scalar;
+use crate::numbers::scalar::{Scalar, number};
 use crate::state::{Coordinates, State};
 
 mod classical;
@@ -118,16 +118,6 @@ fn change<S: Coordinates, const M: usize>(
         }
     }
     change
-}
-
-/// A coefficient as a scalar.
-#[cfg_attr(not(unoptimized), inline(always))]
-pub(super) fn number<T: Scalar>(like: T, value: f64) -> T {
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "the nearest in single precision"
-    )]
-    like.constant(value, value as f32)
 }
 
 /// A Runge–Kutta method with differences to methods of lower order, which estimate the error.

@@ -1,9 +1,10 @@
 //! A Runge–Kutta step over a place where a motion has no series, as a polynomial.
 
-use crate::integrate::methods::adaptive::{attempt, shrunk};
+use crate::integrate::methods::adaptive::attempt;
 use crate::integrate::methods::runge_kutta::{DormandPrince8, Embedded as _, moved};
 use crate::integrate::steps::agreement::Agreement;
 use crate::integrate::steps::equations::Rates;
+use crate::integrate::steps::lengths::shrunk;
 use crate::integrate::steps::point::Point;
 use crate::state::Coordinates;
 
@@ -43,9 +44,9 @@ pub(super) fn cross<E: Rates<State: Coordinates<Scalar = f64>>>(
     let is_lost = |step: f64| (start + step) - start == 0.0 && !(is_last && step == longest);
     while step.abs() >= least && !is_lost(step) {
         let (mut change, error) =
-            attempt::<DormandPrince8, _>(equations, start, &now.coordinates, step);
+            attempt::<DormandPrince8, _, _>(equations, start, &now.coordinates, step);
         if error > tolerance || error.is_nan() {
-            step *= shrunk::<DormandPrince8>(tolerance, error);
+            step *= shrunk(tolerance, error, DormandPrince8::ESTIMATE);
             continue;
         }
         if now.moved(&mut change).is_some() {

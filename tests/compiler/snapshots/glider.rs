@@ -41,7 +41,7 @@ mod equations_of_Glider {
     impl Glider {
         /// The equations of motion, as evaluated.
         pub const EQUATIONS: &str = {
-            const TEXT: &str = "# once, in the constructor\nfrom_drag = 25.0 * drag\nfrom_drag_1 = 20.0 * drag\nfrom_drag_2 = -20.0 * drag\nfrom_drag_3 = -25.0 * drag\n# at every evaluation\nnorm = sqrt(wx * wx + wy * wy + wz * wz)\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = -0.25 * wy\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = -(from_drag * (wx * norm) + 49.03325 * (qy * qz + qw * qx) + wz * precession)\nangular_y = 39.2266 * (qx * qz - qw * qy) - from_drag_1 * (wy * norm)\nangular_z = wx * precession - from_drag * (wz * norm)";
+            const TEXT: &str = "# qx qy qz qw: attitude, a unit quaternion, from body to world axes\n# wx wy wz: angular velocity, rad / s, body axes\n# angular_x angular_y angular_z: angular acceleration, rad / s ^ 2, body axes\n# drag: parameter, N * m * s ^ 2\n# once, in the constructor\nfrom_drag = 25.0 * drag\nfrom_drag_1 = 20.0 * drag\nfrom_drag_2 = -20.0 * drag\nfrom_drag_3 = -25.0 * drag\n# at every evaluation\nnorm = sqrt(wx * wx + wy * wy + wz * wz)\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = -0.25 * wy\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = -(from_drag * (wx * norm) + 49.03325 * (qy * qz + qw * qx) + wz * precession)\nangular_y = 39.2266 * (qx * qz - qw * qy) - from_drag_1 * (wy * norm)\nangular_z = wx * precession - from_drag * (wz * norm)";
             TEXT
         };
         /// Their operation counts, by function and stage.

@@ -35,7 +35,7 @@ mod equations_of_Plank {
     impl Plank {
         /// The equations of motion, as evaluated.
         pub const EQUATIONS: &str = {
-            const TEXT: &str = "# once, in the constructor\nlength_squared = length * length\ninertia = 0.3333333333333333 * length_squared\nfrom_length = 0.16666666666666666 * length_squared\n# at every evaluation\nlinear_x = 0.0\nlinear_y = -9.80665\nangular = 0.0";
+            const TEXT: &str = "# linear_x linear_y: acceleration, m / s ^ 2, world axes\n# angular: angular acceleration, rad / s ^ 2\n# length: parameter, m\n# once, in the constructor\nlength_squared = length * length\ninertia = 0.3333333333333333 * length_squared\nfrom_length = 0.16666666666666666 * length_squared\n# at every evaluation\nlinear_x = 0.0\nlinear_y = -9.80665\nangular = 0.0";
             TEXT
         };
         /// Their operation counts, by function and stage.

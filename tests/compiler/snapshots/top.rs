@@ -35,7 +35,7 @@ mod equations_of_Top {
     impl<T: ::newton_euler::private::Scalar> Top<T> {
         /// The equations of motion, as evaluated.
         pub const EQUATIONS: &str = {
-            const TEXT: &str = "# once, in the constructor\nproduct = 0.3 * (length * length)\ninertia_about_support_xx = 0.002 + product\ncoupling_x = (0.001 + product) / inertia_about_support_xx\nfrom_length = -5.88399 * length / inertia_about_support_xx\n# at every evaluation\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = coupling_x * wz\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = wy * precession - from_length * (qy * qz + qw * qx)\nangular_y = from_length * (qx * qz - qw * qy) - wx * precession\nangular_z = 0.0";
+            const TEXT: &str = "# qx qy qz qw: attitude, a unit quaternion, from body to world axes\n# wx wy wz: angular velocity, rad / s, body axes\n# angular_x angular_y angular_z: angular acceleration, rad / s ^ 2, body axes\n# length: parameter, m\n# once, in the constructor\nproduct = 0.3 * (length * length)\ninertia_about_support_xx = 0.002 + product\ncoupling_x = (0.001 + product) / inertia_about_support_xx\nfrom_length = -5.88399 * length / inertia_about_support_xx\n# at every evaluation\n# rate at which w turns in the body: (J_1 - J_3) / J_1 w_3\nprecession = coupling_x * wz\n# (1.4), body axes: w' = J^-1 (M - w x J w)\nangular_x = wy * precession - from_length * (qy * qz + qw * qx)\nangular_y = from_length * (qx * qz - qw * qy) - wx * precession\nangular_z = 0.0";
             TEXT
         };
         /// Their operation counts, by function and stage.

@@ -36,7 +36,7 @@ mod equations_of_Towed {
     impl Towed {
         /// The equations of motion, as evaluated.
         pub const EQUATIONS: &str = {
-            const TEXT: &str = "# once, in the constructor\n# (1.3), world axes: a = sum of F / m\nlinear_x = 0.08333333333333333 * pull\nfrom_pull = 0.25 * pull\nproduct = -0.05 * pull\nfrom_pull_1 = 0.05 * pull\nswing_rate = sqrt(hypot(product, - 0.25 * pull))\nhanging = atan2(product, from_pull)\n# at every evaluation\n(sine, cosine) = sin_cos(angle)\n# (1.4): w' = M / J\nangular = -(from_pull * sine + from_pull_1 * cosine)\nlinear_y = 0.0";
+            const TEXT: &str = "# angle: angle, rad\n# linear_x linear_y: acceleration, m / s ^ 2, world axes\n# angular: angular acceleration, rad / s ^ 2\n# pull: parameter, N\n# once, in the constructor\n# (1.3), world axes: a = sum of F / m\nlinear_x = 0.08333333333333333 * pull\nfrom_pull = 0.25 * pull\nproduct = -0.05 * pull\nfrom_pull_1 = 0.05 * pull\nswing_rate = sqrt(hypot(product, - 0.25 * pull))\nhanging = atan2(product, from_pull)\n# at every evaluation\n(sine, cosine) = sin_cos(angle)\n# (1.4): w' = M / J\nangular = -(from_pull * sine + from_pull_1 * cosine)\nlinear_y = 0.0";
             TEXT
         };
         /// Their operation counts, by function and stage.

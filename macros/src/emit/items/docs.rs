@@ -13,6 +13,7 @@ use crate::symbolic::Cost;
 use super::addition::Addition;
 use super::constructor::Constructor;
 use super::rigid_body::Best;
+use super::symbols::symbols;
 
 /// The rustdoc of the type, and its associated constants.
 pub struct Documentation {
@@ -38,7 +39,8 @@ impl Documentation {
         let evaluated = evaluated.map(|(name, cost)| (name, "state", cost));
         let costs: Vec<_> = stored.into_iter().chain(evaluated).collect();
         let text = equations_text(acceleration, constructor);
-        let mut lines = lines(outline, &text, &costs, report);
+        let symbols = symbols(outline, &text);
+        let mut lines = lines(outline, (&symbols, &text), &costs, report);
         if !outline.is_still() {
             let method = integration(addition.best, outline.is_constrained);
             lines.extend(quote!(#[cfg_attr(doc, doc = "", doc = #method)]));
@@ -59,7 +61,7 @@ impl Documentation {
         }
         Self {
             lines,
-            constants: constants(outline, &text, &costs, &report.skipped),
+            constants: constants(outline, (&symbols, &text), &costs, &report.skipped),
         }
     }
 
@@ -81,7 +83,7 @@ impl Documentation {
 
 fn lines(
     outline: &Outline,
-    text: &[String],
+    (symbols, text): (&[(String, String)], &[String]),
     costs: &[(&str, &str, Cost)],
     report: &Report,
 ) -> TokenStream {
@@ -99,7 +101,7 @@ fn lines(
     let in_text = laws_in_text(&report.laws);
     let in_text = in_text.iter().map(|law| format!("\n - `{law}`"));
     let in_text: String = in_text.collect();
-    let page = page(text, report);
+    let page = page(symbols, text, report);
     let costs: Vec<String> = costs
         .iter()
         .map(|(name, _, cost)| format!("`{name}`: {}", describe(*cost)))
@@ -124,7 +126,7 @@ fn lines(
 
 /// What only rustdoc shows: laws and equations in `MathML`, and the statements as they are
 /// computed.
-fn page(text: &[String], report: &Report) -> String {
+fn page(symbols: &[(String, String)], text: &[String], report: &Report) -> String {
     let headed = |heading: &str, content: Option<String>| {
         content.map_or_else(String::new, |content| {
             format!("\n# {heading}\n\n{content}\n")
@@ -132,9 +134,12 @@ fn page(text: &[String], report: &Report) -> String {
     };
     let laws = headed("Laws", laws_on_page(&report.laws));
     let equations = headed("Equations", statements_on_page(text));
+    let symbols = symbols.iter();
+    let symbols = symbols.map(|(names, meaning)| format!(" - `{names}`: {meaning}"));
+    let symbols = symbols.collect::<Vec<_>>().join("\n");
     let statements = text.join("\n");
     format!(
-        "{laws}{equations}\n<details><summary>Statements as computed</summary>\n\n```text\n\
+        "{laws}{equations}\n{symbols}\n\n<details><summary>Statements as computed</summary>\n\n```text\n\
          {statements}\n```\n\n</details>\n"
     )
 }
@@ -225,12 +230,15 @@ fn describe(cost: Cost) -> String {
 
 fn constants(
     outline: &Outline,
-    text: &[String],
+    (symbols, text): (&[(String, String)], &[String]),
     costs: &[(&str, &str, Cost)],
     skipped: &[String],
 ) -> TokenStream {
     let private = private(outline);
-    let text = text.join("\n");
+    let symbols = symbols.iter();
+    let symbols = symbols.map(|(names, meaning)| format!("# {names}: {meaning}"));
+    let text = symbols.chain(text.iter().cloned());
+    let text = text.collect::<Vec<_>>().join("\n");
     let rows = costs.iter().map(|(name, stage, cost)| {
         let stage = Ident::new(stage, Span::call_site());
         let counts = counts(*cost).map(|(count, _)| Literal::u32_unsuffixed(count));

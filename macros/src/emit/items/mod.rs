@@ -10,6 +10,7 @@ mod possible;
 mod record;
 mod rigid_body;
 mod structs;
+mod symbols;
 
 pub use addition::Addition;
 pub use columns::emit_columns;

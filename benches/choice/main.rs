@@ -1,8 +1,8 @@
 //! The time of series divided by that of the faster Runge–Kutta pair, and which of the two is the
 //! default.
 //!
-//! For each, the shortest time of many runs is taken, at equal tolerances. If the macro chose
-//! series, a star marks the tolerance for which it chooses. Run `cargo bench --bench choice`.
+//! For each, the shortest time of many runs is taken, at equal tolerances. A star marks series that
+//! are the default. Run `cargo bench --bench choice`.
 
 mod bodies;
 #[path = "../../examples/work_precision/systems/described.rs"]
@@ -31,8 +31,6 @@ use problem::{flying, swinging, turning};
 use reference::{number, system};
 
 const TOLERANCES: [f64; 6] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13];
-/// The default tolerance.
-const DEFAULT: f64 = 1e-9;
 const RUNS: usize = 200;
 
 fn main() {
@@ -130,7 +128,7 @@ fn of_none() {
 
 /// The ratios of a body.
 fn row<B: Taylor<Input = ()> + Integrate>(name: &str, body: &B, start: &B::State, seconds: f64) {
-    let chose_series = type_name::<B::Best>() == type_name::<TaylorSeries>();
+    let coarsest = coarsest_with_series(type_name::<B::Best>());
     let ratios = TOLERANCES.map(|tolerance| {
         let motion = (body, start, seconds);
         let series = shortest(motion, TaylorSeries { tolerance });
@@ -139,10 +137,21 @@ fn row<B: Taylor<Input = ()> + Integrate>(name: &str, body: &B, start: &B::State
             shortest(motion, Verner { tolerance }),
         ];
         let ratio = series / pairs[0].min(pairs[1]);
-        let is_default = chose_series && tolerance.to_bits() == DEFAULT.to_bits();
+        let is_default = tolerance <= coarsest;
         format!("{ratio:>7.2}{}", if is_default { '*' } else { ' ' })
     });
     println!("{name:24}{}", ratios.concat());
+}
+
+/// The largest tolerance for which a default method takes series, by its name.
+fn coarsest_with_series(method: &str) -> f64 {
+    let exponent = method.split_once("SeriesBelow<");
+    let exponent = exponent.and_then(|(_, rest)| rest.strip_suffix('>')?.parse().ok());
+    match exponent {
+        Some(exponent) => 0.1_f64.powi(exponent) * 1.01,
+        None if method == type_name::<TaylorSeries>() => f64::INFINITY,
+        None => 0.0,
+    }
 }
 
 /// The shortest time of a motion \[s\].

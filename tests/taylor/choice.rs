@@ -1,7 +1,7 @@
-//! The default method of bodies with series: the faster one at 1e-9, as measured
+//! The default method of bodies with series: the faster one at each tolerance, as measured
 //! (`docs/performance.md`).
 
-use newton_euler::integrate::{RungeKuttaPair, TaylorSeries};
+use newton_euler::integrate::{RungeKuttaPair, SeriesBelow, TaylorSeries};
 use newton_euler::prelude::*;
 
 rigid_body!(Free {
@@ -73,11 +73,12 @@ rigid_body!(Tethered {
 #[test]
 fn the_faster_method_is_the_default() {
     fn along_series<B: Integrate<Best = TaylorSeries>>() {}
+    fn below<const N: u32, B: Integrate<Best = SeriesBelow<N>>>() {}
     fn by_pairs<B: Integrate<Best = RungeKuttaPair>>() {}
-    along_series::<Free>();
-    along_series::<Swing>();
     along_series::<Shell>();
-    along_series::<Arms>();
+    along_series::<Swing>();
+    below::<6, Free>();
+    below::<4, Arms>();
     by_pairs::<Orbit>();
     by_pairs::<Tethered>();
     let state = Translation {
@@ -89,4 +90,30 @@ fn the_faster_method_is_the_default() {
     let series = TaylorSeries { tolerance: 1e-11 };
     let series = orbit.integrate(&state).method(series).to(6000.0).unwrap();
     assert!((pair.position - series.position).norm() < 1e-2);
+}
+
+#[test]
+fn the_tolerance_chooses_the_method() {
+    let (body, start) = (
+        Free::default(),
+        Rotation {
+            angular_velocity: [1.0, 2.0, 0.5].into(),
+            ..Rotation::default()
+        },
+    );
+    for tolerance in [1e-3, 1.1e-6, 1e-6, 1e-9] {
+        let chosen = body.integrate(&start).tolerance(tolerance).to(3.0).unwrap();
+        let motion = body.integrate(&start);
+        let same = if tolerance > 1e-6 {
+            motion.method(RungeKuttaPair { tolerance }).to(3.0)
+        } else {
+            motion.method(TaylorSeries { tolerance }).to(3.0)
+        };
+        assert_eq!(chosen, same.unwrap(), "{tolerance}");
+    }
+    // steps, samples and events come from the same motion
+    let motion = body.integrate(&start).tolerance(1e-3);
+    let mut turns = motion.events(30.0, |_, state: &Rotation| state.angular_velocity.y);
+    let first = turns.next().unwrap().unwrap();
+    assert!(first.state.angular_velocity.y.abs() < 1e-9);
 }

@@ -45,10 +45,10 @@ impl<S: Subject> Output<S> for Taylor {
     }
 
     fn emit(&self, site: &Site<'_>) -> Addition {
-        let (site, mut width, mut is_slow) = (site.double(), 0, false);
+        let (site, mut width, mut best) = (site.double(), 0, Best::Series);
         let expand = site.method(self.0.as_ref(), |writer, taylor| {
             let expansion = Expansion::write(writer, taylor);
-            (width, is_slow) = (expansion.width, expansion.is_slow);
+            (width, best) = (expansion.width, expansion.best);
             expansion.method
         });
         let axes = self.0.as_ref().and_then(|taylor| taylor.axes.as_ref());
@@ -78,12 +78,9 @@ impl<S: Subject> Output<S> for Taylor {
         };
         let remark = " `integrate` takes Runge–Kutta steps, which are faster than its series; \
                       `.method(TaylorSeries { tolerance })` selects series.";
+        let is_slow = best == Best::RungeKutta;
         Addition {
-            best: if is_slow {
-                Best::RungeKutta
-            } else {
-                Best::Series
-            },
+            best,
             remarks: is_slow.then_some(remark).into_iter().collect(),
             ..Addition::implement(&site, "Taylor", [types, methods], &[])
         }

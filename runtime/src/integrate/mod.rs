@@ -9,6 +9,7 @@
 //! | [`ClosedForm`] | `outputs: [flow]` | rounding |
 //! | [`TaylorSeries`] | `outputs: [taylor]` | below a tolerance; rounding only, at small tolerances |
 //! | [`RungeKuttaPair`]: [`DormandPrince`] or [`Verner`] | every body | below a tolerance |
+//! | [`SeriesBelow`]`<N>`: series or a pair | `outputs: [taylor]` | below a tolerance |
 //! | [`Fixed`]`<`[`Verner9`]`>`, [`DormandPrince8`], [`Tsitouras5`], [`Classical4`] | every body, ensembles | of order 9, 8, 5, 4 in the step |
 //! | [`Fixed`]`<`[`Midpoint`]`>` | games: long runs with few steps | of order 2; energy does not drift |
 //! | [`Projected`] | bodies under constraints | that of the wrapped method |
@@ -32,8 +33,9 @@ pub use course::observed::{Events, Sample, Samples, Steps};
 pub use methods::adaptive::{Adaptive, AdaptiveRun, DormandPrince, Verner};
 pub use methods::closed_form::{ClosedForm, PathRun};
 pub use methods::commutator_free::{cf4, cf4_step};
+pub use methods::either::EitherRun;
 pub use methods::fixed::{Fixed, FixedRun};
-pub use methods::paired::{PairRun, RungeKuttaPair};
+pub use methods::paired::{PairRun, RungeKuttaPair, SeriesBelow};
 pub use methods::projected::{Projected, ProjectedRun, cf4_projected};
 pub use methods::runge_kutta::{
     Classical4, DormandPrince8, Embedded, Midpoint, RungeKutta, Tsitouras5, Verner9,

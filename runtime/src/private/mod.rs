@@ -24,7 +24,7 @@ pub use crate::exact::{
     Gyrostat, LagrangeTop, Parabola, Path, Pendulum,
 };
 pub use crate::integrate::{
-    ClosedForm, Integrate, Projected, RungeKuttaPair, Switches, TaylorSeries,
+    ClosedForm, Integrate, Projected, RungeKuttaPair, SeriesBelow, Switches, TaylorSeries,
 };
 pub use crate::mechanics::load::{Family, Load, PlanarLoad};
 pub use crate::mechanics::wrench::{PlanarWrench, Wrench};

@@ -146,12 +146,16 @@ fn page(symbols: &[(String, String)], text: &[String], report: &Report) -> Strin
 
 /// The method and the tolerance of `integrate`.
 fn integration(best: Best, is_constrained: bool) -> String {
+    let pair = "Verner's of order 9, and Dormand and Prince's of order 8 for tolerances above 1e-5";
     let method = match best {
-        Best::ClosedForm => "evaluates the closed form; a tolerance has no effect",
-        Best::Series => "takes steps of Taylor series, with errors of 1e-9 per step",
+        Best::ClosedForm => "evaluates the closed form; a tolerance has no effect".to_owned(),
+        Best::Series => "takes steps of Taylor series, with errors of 1e-9 per step".to_owned(),
+        Best::SeriesBelow(exponent) => format!(
+            "takes steps of Taylor series, with errors of 1e-9 per step, and for tolerances above \
+             1e-{exponent} steps of a Runge–Kutta pair: {pair}"
+        ),
         Best::RungeKutta => {
-            "takes steps of a Runge–Kutta pair, with errors of 1e-9 per step: Verner's of order 9, \
-             and Dormand and Prince's of order 8 for tolerances above 1e-5"
+            format!("takes steps of a Runge–Kutta pair, with errors of 1e-9 per step: {pair}")
         }
     };
     let projected = if is_constrained {

@@ -1,7 +1,7 @@
 //! What every body implements: its accelerations, the times at which these switch, and its
 //! integration.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::code::{COMMON, Method, Site, Source, Told, Writer, local, number_literal};
@@ -23,6 +23,8 @@ pub struct Equated {
 pub enum Best {
     #[default]
     RungeKutta,
+    /// Series at tolerances of 10⁻ᴺ and below.
+    SeriesBelow(u32),
     Series,
     ClosedForm,
 }
@@ -228,6 +230,10 @@ pub fn emit_integrate(site: &Site<'_>, best: Best) -> TokenStream {
     let (header, private) = (site.header("Integrate"), &site.shapes.private);
     let method = match best {
         Best::ClosedForm => quote!(#private::ClosedForm),
+        Best::SeriesBelow(exponent) => {
+            let exponent = Literal::u32_unsuffixed(exponent);
+            quote!(#private::SeriesBelow<#exponent>)
+        }
         Best::Series => quote!(#private::TaylorSeries),
         Best::RungeKutta => quote!(#private::RungeKuttaPair),
     };

@@ -23,6 +23,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use crate::emit::code::{Block, Facts, Method, Source, Writer, local, number_literal};
+use crate::emit::items::Best;
 use crate::mechanics::{Axes, Taylor};
 use crate::symbolic::{Graph, Id, Node, Program, Recurrences, Stage, Term};
 
@@ -38,8 +39,8 @@ pub struct Expansion {
     pub method: Method,
     /// The number of products of series, including those that pad registers.
     pub width: usize,
-    /// Whether Runge–Kutta steps take less time.
-    pub is_slow: bool,
+    /// The method that takes less time.
+    pub best: Best,
 }
 
 impl Expansion {
@@ -84,11 +85,15 @@ impl Expansion {
             rates: graph.late_cost(&recurrences.start),
         };
         // in axes that do not spin, steps along the series are much longer
-        let is_slow = taylor.axes.is_none() && counts.are_slow();
+        let best = if taylor.axes.is_some() {
+            Best::Series
+        } else {
+            counts.best()
+        };
         Self {
             method,
             width,
-            is_slow,
+            best,
         }
     }
 }

@@ -19,7 +19,9 @@ use crate::ensemble::Ensemble;
 use crate::ensemble::blocks::{BLOCK, Eight, write};
 use crate::ensemble::evaluate::in_chunks;
 use crate::ensemble::plan::{Limits, Plan};
-use crate::integrate::{Adaptive, DormandPrince, Method, RungeKuttaPair, TaylorSeries, Verner};
+use crate::integrate::{
+    Adaptive, DormandPrince, Method, RungeKuttaPair, SeriesBelow, TaylorSeries, Verner,
+};
 use crate::numbers::lanes::{Lanes, Register, Work, by_itself};
 
 /// In lanes, each member with its own steps: it moves as it would alone, to the bit.
@@ -54,6 +56,10 @@ moves_in_lanes!(Verner);
 
 /// Steps of a pair in lanes are faster than series one by one.
 impl<B: Generic> Together<B> for TaylorSeries {
+    type Moves = Verner;
+}
+
+impl<B: Generic, const N: u32> Together<B> for SeriesBelow<N> {
     type Moves = Verner;
 }
 

@@ -19,7 +19,8 @@ pub(crate) const TOLERANCE: f64 = 1e-9;
 /// [`rigid_body!`](crate::rigid_body) implements it: the
 /// [`ClosedForm`](crate::integrate::ClosedForm) with `outputs: [flow]`, Taylor series
 /// ([`TaylorSeries`](crate::integrate::TaylorSeries)) with `outputs: [taylor]` where they are
-/// faster than Runge–Kutta steps, for all others
+/// faster than Runge–Kutta steps ([`SeriesBelow`](crate::integrate::SeriesBelow) a tolerance, if
+/// that depends on it), for all others
 /// [`RungeKuttaPair`](crate::integrate::RungeKuttaPair), under constraints
 /// [`Projected`](crate::integrate::Projected). An implementation by hand is one line:
 ///

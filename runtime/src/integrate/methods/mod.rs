@@ -3,6 +3,7 @@
 pub mod adaptive;
 pub mod closed_form;
 pub mod commutator_free;
+pub mod either;
 pub mod fixed;
 pub mod paired;
 pub mod projected;

@@ -1,12 +1,13 @@
-//! The faster pair of Runge–Kutta methods for a tolerance.
+//! The faster method for a tolerance.
 
 use super::adaptive::{AdaptiveRun, DormandPrince, Verner};
+use super::either::EitherRun;
 use super::runge_kutta::{DormandPrince8, Verner9};
+use super::series::{SeriesRun, TaylorSeries};
 use crate::bodies::body::RigidBody;
-use crate::bodies::switches::Stretch;
-use crate::integrate::steps::error::IntegrationError;
-use crate::integrate::steps::method::{Method, Run, Tolerant};
+use crate::integrate::steps::method::{Method, Tolerant};
 use crate::state::Coordinates;
+use crate::taylor::Taylor;
 
 /// Above this, twelve evaluations per step are faster; below, the higher order is
 /// (`cargo run --release --example work_precision`).
@@ -25,6 +26,10 @@ impl Tolerant for RungeKuttaPair {
     }
 }
 
+/// A motion by [`DormandPrince`] or [`Verner`].
+pub type PairRun<'b, B> =
+    EitherRun<AdaptiveRun<'b, B, DormandPrince8>, AdaptiveRun<'b, B, Verner9>>;
+
 impl<B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> for RungeKuttaPair {
     type Run<'b>
         = PairRun<'b, B>
@@ -34,64 +39,45 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> for RungeKuttaPai
     fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> Self::Run<'b> {
         let Self { tolerance } = self;
         if tolerance > COARSE {
-            PairRun::Coarse(DormandPrince { tolerance }.start(body, time, state))
+            EitherRun::First(DormandPrince { tolerance }.start(body, time, state))
         } else {
-            PairRun::Fine(Verner { tolerance }.start(body, time, state))
+            EitherRun::Second(Verner { tolerance }.start(body, time, state))
         }
     }
 }
 
-/// A motion by one of the pairs.
-#[derive(Debug)]
-pub enum PairRun<'b, B: RigidBody<Scalar = f64, State: Coordinates>> {
-    /// By [`DormandPrince`].
-    Coarse(AdaptiveRun<'b, B, DormandPrince8>),
-    /// By [`Verner`].
-    Fine(AdaptiveRun<'b, B, Verner9>),
+/// [`TaylorSeries`] for tolerances of 10⁻ᴺ and below, [`RungeKuttaPair`] above: the faster of both
+/// for bodies whose series gain from small tolerances alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeriesBelow<const N: u32> {
+    /// The bound of the error of a step: see [`Tolerant`].
+    pub tolerance: f64,
 }
 
-/// Calls a method of the run.
-macro_rules! of_either {
-    ($run:expr, $method:ident($($argument:expr),*)) => {
-        match $run {
-            PairRun::Coarse(run) => run.$method($($argument),*),
-            PairRun::Fine(run) => run.$method($($argument),*),
+impl<const N: u32> SeriesBelow<N> {
+    /// 10⁻ᴺ
+    #[expect(clippy::cast_precision_loss, reason = "powers of ten up to 10²²")]
+    const FINE: f64 = 1.0 / 10_u64.pow(N) as f64;
+}
+
+impl<const N: u32> Tolerant for SeriesBelow<N> {
+    fn with_tolerance(tolerance: f64) -> Self {
+        Self { tolerance }
+    }
+}
+
+impl<B: Taylor, const N: u32> Method<B> for SeriesBelow<N> {
+    type Run<'b>
+        = EitherRun<SeriesRun<'b, B>, PairRun<'b, B>>
+    where
+        B: 'b;
+
+    fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> Self::Run<'b> {
+        let Self { tolerance } = self;
+        if tolerance <= Self::FINE {
+            EitherRun::First(TaylorSeries { tolerance }.start(body, time, state))
+        } else {
+            EitherRun::Second(RungeKuttaPair { tolerance }.start(body, time, state))
         }
-    };
-}
-
-impl<B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for PairRun<'_, B> {
-    const PLACES: usize = AdaptiveRun::<B, Verner9>::PLACES;
-
-    fn body(&self) -> &B {
-        of_either!(self, body())
-    }
-
-    fn time(&self) -> f64 {
-        of_either!(self, time())
-    }
-
-    fn state(&self) -> B::State {
-        of_either!(self, state())
-    }
-
-    fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
-        of_either!(self, advance(end, input))
-    }
-
-    fn heads_for(&mut self, end: f64) {
-        of_either!(self, heads_for(end));
-    }
-
-    fn enter(&mut self, stretch: Stretch) {
-        of_either!(self, enter(stretch));
-    }
-
-    fn replace(&mut self, state: &B::State) {
-        of_either!(self, replace(state));
-    }
-
-    fn within(&self, time: f64, input: &B::Input) -> B::State {
-        of_either!(self, within(time, input))
     }
 }

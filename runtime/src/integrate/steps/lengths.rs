@@ -33,6 +33,7 @@ impl<T: Scalar> From<T> for Lengths<T> {
 
 impl<T: Scalar> Lengths<T> {
     /// One of two, number by number.
+    #[cfg(feature = "ensemble")]
     #[cfg_attr(not(unoptimized), inline(always))]
     pub(crate) fn select(truth: T::Truth, first: Self, second: Self) -> Self {
         Self {

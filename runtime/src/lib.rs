@@ -73,8 +73,8 @@
 //! - `stl`: mass, center of mass and inertia of closed meshes, from STL files
 //!   ([`inertia::MassProperties`]); it needs `std`.
 //! - `pictures`: plots of samples as SVG, and pages with moving solids; it needs `std`.
-//! - `glam`, `mint`: the vectors, attitudes and matrices of states as those of these crates and back,
-//!   by nalgebra's `From` and `Into`; `glam` is that of version 0.33.
+//! - `glam`, `mint`: conversions between the vectors, attitudes and matrices of states and the types
+//!   of these crates, by `From` and `Into` of nalgebra; `glam` is version 0.33.
 //! - `num-dual`: the numbers of the crate of that name as scalars ([`scalar::NumDual`]); it needs
 //!   `std`.
 //! - `differential-equations`: the equations of a body for the methods of the crate of that name

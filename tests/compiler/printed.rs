@@ -29,7 +29,7 @@ fn macros(path: &Path) -> Vec<ItemMacro> {
     macros.collect()
 }
 
-/// What a description with a file amounts to, under another name.
+/// The description of a file with all its values, under another name.
 fn printed(description: &TokenStream) -> TokenStream {
     let mut errors = Errors::default();
     let system = syntax::parse_system(quote!((::newton_euler) #description), &mut errors);
@@ -56,7 +56,7 @@ fn check(folder: &str, key: &str) {
             .to_lowercase();
         let target = path(folder).join("printed").join(name + ".rs");
         if std::env::var_os("BLESS").is_some() {
-            let head = "//! What a description with a file amounts to, as `describe` prints it.\n\n\
+            let head = "//! The description of a file with all its values, as `describe` prints it.\n\n\
                         use newton_euler::prelude::*;\n";
             let whole = format!("{head}\nrigid_system!({one});\n");
             fs::write(&target, text::laid_out(&whole)).expect("a folder of tests");

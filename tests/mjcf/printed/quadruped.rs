@@ -1,4 +1,4 @@
-//! What a description with a file amounts to, as `describe` prints it.
+//! The description of a file with all its values, as `describe` prints it.
 
 use newton_euler::prelude::*;
 

@@ -119,7 +119,6 @@ const KEYS: &Elsewhere = &[
 
 /// Keys that only systems have.
 const KEYS_OF_SYSTEMS: &Elsewhere = &[
-    ("links", "bodies"),
     ("rigid_bodies", "bodies"),
     ("actuators", "drives"),
     ("motors", "drives"),

@@ -20,7 +20,7 @@ use super::entries::{
 };
 use super::expression::{Expression, call};
 use super::head::parse_head;
-use super::tokens::{Entry, split, start, without_attributes};
+use super::tokens::{Entry, is_punct, split, start, without_attributes};
 use super::{Definition, Description, Motion};
 
 /// A whole description of a system.
@@ -167,7 +167,7 @@ impl System {
                 key.span(),
                 format!("`{word}` is part of the language of systems, but this version does not have it yet"),
             );
-        } else if let Some((list, example)) = list_meant(&word) {
+        } else if let Some((list, example)) = list_meant(&word).or_else(|| list_like(&word, rest)) {
             let is_given = self.top.keys.iter().any(|other| {
                 list_meant(&other.to_string()).is_some_and(|(other, _)| other == list)
             });
@@ -258,6 +258,23 @@ impl System {
 fn is_called(joint: &Definition, kind: &str) -> bool {
     let called = joint.value.as_ref().and_then(call);
     called.is_some_and(|((word, _), _)| word == kind)
+}
+
+/// The list of a system for which a key of other programs, or an unknown one, is written: bodies are
+/// names with braces, and `links` may be joints.
+fn list_like(word: &str, rest: &[TokenTree]) -> Option<&'static (&'static str, &'static str)> {
+    let Some(TokenTree::Group(group)) = rest.last() else {
+        return None;
+    };
+    let mut first = group.stream().into_iter();
+    let meant = match (first.next()?, first.next()?) {
+        (TokenTree::Ident(_), TokenTree::Group(body)) if body.delimiter() == Delimiter::Brace => {
+            (key_meant(word) != Some(word)).then_some("bodies")?
+        }
+        (TokenTree::Ident(_), equals) if is_punct(&equals, '=') && word == "links" => "joints",
+        _ => return None,
+    };
+    LISTS.iter().find(|(list, _)| *list == meant)
 }
 
 /// The list of a system that a key means, also if it is misspelt or has the name that other

@@ -13,6 +13,7 @@ use newton_euler::lanes::Width;
 use newton_euler::{columns::Columns, integrate, prelude::*};
 
 mod bodies;
+mod changing;
 mod integration;
 mod sines;
 #[path = "../handwritten/mod.rs"]

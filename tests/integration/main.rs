@@ -5,6 +5,7 @@
 
 mod errors;
 mod inputs;
+mod late;
 mod lost_loads;
 mod midpoint;
 mod moving_inputs;

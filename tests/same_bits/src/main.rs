@@ -134,21 +134,21 @@ fn motions_in_equal_steps() {
 #[test]
 fn motions_by_tolerance() {
     check([
-        ("DOP853", motions::adaptive(), 0xafa8_fe4d_75a5_f493),
+        ("DOP853", motions::adaptive(), 0x84cd_ac2c_b8f2_b16d),
         (
             "Verner 9(8)",
             motions::of_order_nine(),
-            0x719e_3e3a_6e14_ca68,
+            0x6162_ba95_1c34_5fff,
         ),
         (
             "on constraints",
             motions::projected(),
-            0xbb6c_4081_22ae_c49b,
+            0xfdb1_1dee_663b_eb9f,
         ),
         (
             "controller, events",
             motions::controlled(),
-            0x65aa_732f_56fe_e3cf,
+            0x88cb_60c9_6392_a610,
         ),
     ]);
 }
@@ -157,7 +157,7 @@ fn motions_by_tolerance() {
 #[test]
 fn motions_of_systems() {
     check([
-        ("by steps", motions::systems(), 0x160a_7109_78e2_59cf),
+        ("by steps", motions::systems(), 0xca33_eb0d_3a76_ff5f),
         (
             "by one step along a series",
             motions::series_of_a_system(),
@@ -195,9 +195,9 @@ fn motions_along_series() {
     #[cfg(not(all(feature = "dispatch", target_arch = "x86_64")))]
     let is_fused = false;
     if is_fused {
-        check([("fused", motions::series(), 0x988f_239a_4f51_3faf)]);
+        check([("fused", motions::series(), 0xe48b_3913_95a1_2969)]);
     } else {
-        check([("rounded each", motions::series(), 0xc637_91db_434e_dc71)]);
+        check([("rounded each", motions::series(), 0x8a22_7f57_0475_5a78)]);
     }
 }
 
@@ -209,7 +209,7 @@ fn ensembles_in_every_width() {
     let all = thread.spawn(ensembles::all).expect("a thread");
     for (width, bits) in all.join().expect("ensembles") {
         println!("{width:?}");
-        check([("ensembles", bits, 0x4da3_9388_9dc9_a6aa)]);
+        check([("ensembles", bits, 0xbe64_03fa_3e36_f55f)]);
     }
 }
 
@@ -218,7 +218,7 @@ fn ensembles_in_every_width() {
 fn ensembles_of_systems() {
     for (width, bits) in ensembles::systems() {
         println!("{width:?}");
-        check([("ensembles", bits, 0xec3e_19ae_149d_fe09)]);
+        check([("ensembles", bits, 0x5f18_1f73_e277_adcc)]);
     }
 }
 

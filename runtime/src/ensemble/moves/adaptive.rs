@@ -9,7 +9,7 @@ use core::sync::atomic::{AtomicBool, Ordering};
 use rayon::iter::ParallelIterator as _;
 
 use super::lane::{Lane, Progress};
-use super::members::{Done, MemberError, indices, is_possible, put};
+use super::members::{Done, MemberError, indices, put};
 use super::one_by_one::end_alone;
 use super::register::InRegister;
 use super::seats::Seats;
@@ -77,7 +77,6 @@ fn stream<B: Generic, A: Adaptive + Method<B>>(
     observer: impl Fn(f64) + Sync,
 ) -> Vec<MemberError<B::State>> {
     let count = ensemble.len();
-    let before = B::CHANGES.then(|| ensemble.states.clone());
     let left: Vec<_> = (0..count).map(|_| AtomicBool::new(false)).collect();
     let done = Done::of(count, observer);
     if times.start.is_finite() && times.end.is_finite() {
@@ -105,18 +104,9 @@ fn stream<B: Generic, A: Adaptive + Method<B>>(
             one.store(true, Ordering::Relaxed);
         }
     }
-    let mut left: Vec<usize> = (0..count)
+    let left: Vec<usize> = (0..count)
         .filter(|index| left[*index].load(Ordering::Relaxed))
         .collect();
-    if let Some(before) = before {
-        let ended = (0..count).filter(|index| !is_possible(ensemble, *index, times.end));
-        left.extend(ended);
-        left.sort_unstable();
-        left.dedup();
-        for index in &left {
-            ensemble.states.set(*index, &before.get(*index));
-        }
-    }
     let ends = indices(left.len()).map(|number| {
         let index = left[number];
         (index, end_alone(ensemble, method, index, times, limits))

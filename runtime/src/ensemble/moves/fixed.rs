@@ -4,7 +4,8 @@ use alloc::vec::Vec;
 use core::ops::Range;
 
 use super::Moves;
-use super::members::{Done, MemberError, is_possible};
+use super::members::{Done, MemberError};
+use super::one_by_one::OneByOne;
 use super::ways::{Apart, Ways};
 use crate::bodies::body::RigidBody;
 use crate::bodies::columns::{Columns, Generic};
@@ -33,6 +34,10 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
         limits: &Limits,
         observer: impl Fn(f64) + Sync,
     ) -> Vec<MemberError<B::State>> {
+        // at each step the mass must be possible
+        if B::CHANGES {
+            return OneByOne(*self).moved(ensemble, times, limits, observer);
+        }
         let (time, end) = (times.start, times.end);
         let before = ensemble.states.clone();
         let failed = |members: &Members<B>, index: usize, step: Option<f64>| {
@@ -71,8 +76,7 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
         in_lanes(&plan, steps, ensemble.width, &mut ensemble.states, &done);
         let is_lost = |index: &usize| {
             let coordinates = ensemble.states.get(*index).coordinates();
-            let is_finite = coordinates.as_ref().iter().sum::<f64>().is_finite();
-            !is_finite || B::CHANGES && !is_possible(ensemble, *index, end)
+            !coordinates.as_ref().iter().sum::<f64>().is_finite()
         };
         let lost: Vec<usize> = (0..before.len()).filter(is_lost).collect();
         for index in &lost {

@@ -10,8 +10,7 @@ use core::sync::atomic::{AtomicUsize, Ordering};
 #[cfg(feature = "rayon")]
 use rayon::iter::IntoParallelIterator as _;
 
-use crate::bodies::columns::{Columns, Generic};
-use crate::ensemble::Ensemble;
+use crate::bodies::columns::Columns;
 use crate::ensemble::blocks::Blocks;
 use crate::integrate::IntegrationError;
 use crate::numbers::count::real;
@@ -35,15 +34,6 @@ impl<S: fmt::Debug + 'static> core::error::Error for MemberError<S> {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         Some(&self.error)
     }
-}
-
-/// Whether a member's mass and inertia are possible at a time.
-pub(super) fn is_possible<B: Generic>(ensemble: &Ensemble<B>, index: usize, time: f64) -> bool {
-    let Ensemble {
-        states, members, ..
-    } = ensemble;
-    let (body, input) = (members.body(index), members.inputs.get(index));
-    body.possible(time, &states.get(index), &input).is_ok()
 }
 
 /// Stores the final states of members; returns the members that did not reach the end.

@@ -41,7 +41,7 @@ pub(super) struct InRegister<'e, A, B: Generic, S: Register> {
     /// 1 in lanes whose members move.
     going: Lanes<S>,
     time: Lanes<S>,
-    /// The rounding error of the time.
+    /// The rounding error of the time, to be added to it.
     late: Lanes<S>,
     /// The time at which the next step must end.
     limit: Lanes<S>,
@@ -146,7 +146,7 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
 
     #[cfg_attr(not(unoptimized), inline(always))]
     fn rest(&self) -> Lanes<S> {
-        (self.limit - self.time) + self.late
+        (self.limit - self.time) - self.late
     }
 
     /// Begins with new members.
@@ -174,6 +174,7 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
         for (lane, _) in fresh.iter().enumerate().filter(|(_, new)| **new != 0.0) {
             self.lanes[lane] = Lane::at(self.lanes[lane].member, self.plan.times.start);
             self.go_on(lane);
+            self.check(lane);
         }
         let within = self.within();
         let equations = self.equations(&within);
@@ -189,7 +190,8 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
         let (step, is_last) = self.lengths.next(self.rest());
         let stays = ((self.time + step) - self.time).equal(zero) & !is_last;
         let is_due = self.splat(f64::from(LOOK)).less_or_equal(self.steps);
-        let is_lost = !step.equal(step) | stays | is_due;
+        let is_finite = (step * zero).equal(zero);
+        let is_lost = !is_finite | stays | is_due;
         self.leave(is_lost);
         self.step = Lanes::select(self.is_going(), step, zero);
         self.is_last = is_last;
@@ -243,6 +245,9 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
                 self.time.equal(self.limit)
             });
         self.each(turns, Self::go_on);
+        if B::CHANGES {
+            self.each(is_taken, Self::check);
+        }
     }
 
     /// Calls a function with each lane in which a truth holds.
@@ -286,6 +291,19 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
         match limits.pace().limit(now, limit) {
             Some(limit) => self.limit.put(index, limit),
             None => self.stop(index, Progress::Left),
+        }
+    }
+
+    /// Leaves a member whose mass or inertia is impossible now.
+    fn check(&mut self, lane: usize) {
+        let (true, Some(member)) = (B::CHANGES, self.lanes[lane].member) else {
+            return;
+        };
+        let (members, index) = (self.plan.members, BLOCK * self.plan.first + member);
+        let (body, input) = (members.body(index), members.inputs.get(index));
+        let (time, state) = (self.time.lane(lane), self.end_of(lane));
+        if body.possible(time, &state, &input).is_err() {
+            self.stop(lane, Progress::Left);
         }
     }
 

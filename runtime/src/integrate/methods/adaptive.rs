@@ -166,7 +166,7 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>, P: Embedded> Run<B> for Ada
         });
         loop {
             let (step, is_last) = lengths.next(rest);
-            if step.is_nan() {
+            if !step.is_finite() {
                 return Err(self.now.not_finite());
             }
             if (time + step) - time == 0.0 && !is_last {
@@ -268,6 +268,7 @@ pub(crate) fn first<P: Embedded, T: Scalar, E: Rates<State: Coordinates<Scalar =
     let pace = T::select(curvature.less_or_equal(speed), speed, curvature);
     // a motion that seems to be at rest does not get one single step
     let longest = left / number(rest, 16.0);
+    let longest = T::select(zero.less(longest), longest, left);
     let step = number(rest, root(tolerance, 1.0, P::ESTIMATE)) / pace;
     let step = T::select(step.less(longest), step, longest);
     let step = T::select(zero.less(pace), step, longest);

@@ -10,6 +10,7 @@ use crate::state::Coordinates;
 pub(in crate::integrate) struct Point<S: Coordinates<Scalar = f64>> {
     pub(in crate::integrate) time: f64,
     pub(in crate::integrate) coordinates: S::Array,
+    /// The rounding error of the time, to be added to it.
     late: f64,
     lost: S::Array,
 }
@@ -37,7 +38,7 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
     /// The time remaining until another.
     #[cfg_attr(not(unoptimized), inline(always))]
     pub(in crate::integrate) fn rest(&self, end: f64) -> f64 {
-        (end - self.time) + self.late
+        (end - self.time) - self.late
     }
 
     /// The point after an increment, which is corrected; none if it is not finite.

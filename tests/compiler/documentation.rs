@@ -507,8 +507,8 @@ fn equations_name_the_units_of_their_symbols() {
     assert_eq!(
         symbols(&expansion),
         [
-            "qx qy qz qw: attitude, a unit quaternion, from body to world axes",
             "vx vy vz: velocity, m / s, world axes",
+            "qx qy qz qw: attitude, a unit quaternion, from body to world axes",
             "wx wy wz: angular velocity, rad / s, body axes",
             "linear_x linear_y linear_z: acceleration, m / s ^ 2, world axes",
             "angular_x angular_y angular_z: angular acceleration, rad / s ^ 2, body axes",
@@ -516,6 +516,27 @@ fn equations_name_the_units_of_their_symbols() {
             "thrust: input, N",
             "wind_x wind_y wind_z: input, m / s, world axes",
             "fuel: state, kg",
+        ]
+    );
+    // names as they are printed, and parameters with names of the state of other motions
+    let expansion = pretty(quote!(Top {
+        motion: rotation,
+        params: [axis = body(1, 0, 0), Drag[N * m * s], tilt = 30[deg]],
+        inertia: principal(1, 2, 2.5)[kg * m ^ 2],
+        moments: [
+            drag = -Drag * angular_velocity,
+            push = 1[N * m / s] * t * tilt.sin() * axis,
+        ],
+    }));
+    assert_eq!(
+        symbols(&expansion),
+        [
+            "wx wy wz: angular velocity, rad / s, body axes",
+            "angular_x angular_y angular_z: angular acceleration, rad / s ^ 2, body axes",
+            "time: time, s",
+            "axis_x axis_y axis_z: parameter, body axes",
+            "drag: parameter, N * m * s",
+            "tilt: parameter, rad",
         ]
     );
     let expansion = expand_system(quote!((::newton_euler) Cart {
@@ -535,9 +556,9 @@ fn equations_name_the_units_of_their_symbols() {
     assert_eq!(
         found,
         [
-            "rail_a: acceleration, m / s ^ 2",
             "swing_angle: angle, rad",
             "swing_w: angular velocity, rad / s",
+            "rail_a: acceleration, m / s ^ 2",
             "swing_alpha: angular acceleration, rad / s ^ 2",
         ]
     );

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use crate::model::Meaning;
 use crate::symbolic::{Comparison, Cost, Function, Id, Node, Program};
 
 use super::block::Block;
@@ -35,6 +36,8 @@ pub struct Facts {
     /// Whether numbers are compared for equality.
     pub has_equality: bool,
     pub guards: Guards,
+    /// The names of the symbols that it reads.
+    pub symbols: Vec<(String, Meaning)>,
     /// The statements as text, for the documentation.
     pub text: Vec<String>,
     /// The requested outputs as text.
@@ -106,7 +109,12 @@ impl Writer<'_> {
             |wanted: fn(&Node) -> bool| program.nodes.iter().any(|id| wanted(graph.node(*id)));
         let outputs = program.outputs.iter();
         let outputs: Vec<TokenStream> = outputs.map(|id| block.value(*id)).collect();
+        let symbols = program.symbols.iter().filter_map(|id| {
+            let name = block.names.get(id)?;
+            Some((name.to_string(), self.work.meaning(*id)?))
+        });
         let facts = Facts {
+            symbols: symbols.collect(),
             output_text: outputs.iter().map(to_text).collect(),
             cost: graph.cost(&program.nodes),
             has_notes: !block.noted.is_empty(),

@@ -34,6 +34,8 @@ pub struct Constructor {
     pub cost: Cost,
     /// The computations as text.
     pub text: Vec<String>,
+    /// The names of the symbols in it.
+    pub symbols: Vec<(String, Meaning)>,
 }
 
 /// The expressions that depend on parameters alone, each with the name of its field.
@@ -138,6 +140,7 @@ impl Constructor {
         };
         Self {
             stored,
+            symbols: code.facts.symbols,
             axes,
             body,
             cost: code.facts.cost,

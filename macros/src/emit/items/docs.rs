@@ -39,7 +39,8 @@ impl Documentation {
         let evaluated = evaluated.map(|(name, cost)| (name, "state", cost));
         let costs: Vec<_> = stored.into_iter().chain(evaluated).collect();
         let text = equations_text(acceleration, constructor);
-        let symbols = symbols(outline, &text);
+        let named = [&constructor.symbols[..], &acceleration.facts.symbols].concat();
+        let symbols = symbols(outline, &named, &text);
         let mut lines = lines(outline, (&symbols, &text), &costs, report);
         if !outline.is_still() {
             let method = integration(addition.best, outline.is_constrained);

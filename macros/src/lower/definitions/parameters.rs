@@ -1,7 +1,8 @@
 //! Parameters and inputs: their symbols, shapes, dimensions and defaults.
 
 use crate::lower::expressions::{
-    Lowering, UNTURNED, Value, dimension, has_placeholder, lower_unit, strip_unit, written_unit,
+    Lowering, UNTURNED, Value, dimension, has_placeholder, in_radians, lower_unit, strip_unit,
+    written_unit,
 };
 use crate::model::{Declared, Defaults, Dimension, FrameWord, Meaning, Point, Unit};
 use crate::symbolic::{Id, Number, Stage};
@@ -183,13 +184,15 @@ impl Lowering<'_> {
         Some(())
     }
 
-    /// The unit of a default, as written. A unit that is not SI is not the unit of the field.
+    /// The unit of a default, as written, with angles in radians. A unit that is not SI is not the
+    /// unit of the field.
     fn unit_of_default(&mut self, value: &Expression) -> Option<Unit> {
         match &value.kind {
             Kind::Prefix(_, inner) => self.unit_of_default(inner),
             Kind::Unit(_, unit) => {
-                let (factor, _) = lower_unit(unit, self.errors)?;
-                (factor == Number::one()).then(|| written_unit(unit))
+                let unit = in_radians(unit);
+                let (factor, _) = lower_unit(&unit, self.errors)?;
+                (factor == Number::one()).then(|| written_unit(&unit))
             }
             _ => None,
         }

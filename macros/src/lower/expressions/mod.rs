@@ -20,7 +20,7 @@ pub use lowering::{Lowering, dimension};
 pub use scope::{
     BUILT_IN, BodyMotion, BodyNames, JointNames, Members, OF_ROD, Offset, Scope, Value,
 };
-pub use unit::{lower_unit, written_unit};
+pub use unit::{in_radians, lower_unit, written_unit};
 pub use written::{
     base, difference, direction, has_placeholder, is_drive, is_of_solid, is_turning_drive,
     is_unknown, motion, placeholders, strip_unit, written_frame, written_motion,

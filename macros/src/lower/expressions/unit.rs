@@ -1,5 +1,7 @@
 //! The factors and dimensions of units.
 
+use proc_macro2::Ident;
+
 use crate::errors::{Errors, hint};
 use crate::fraction::Fraction;
 use crate::model::{Dimension, Unit};
@@ -41,6 +43,17 @@ pub fn written_unit(unit: &UnitExpression) -> Unit {
             .map(|(name, exponent)| (name.to_string(), *exponent))
             .collect(),
     )
+}
+
+/// The unit with radians in place of other angles.
+pub fn in_radians(unit: &UnitExpression) -> UnitExpression {
+    let mut unit = unit.clone();
+    for (name, _) in &mut unit.factors {
+        if ANGLES.iter().any(|(angle, _)| name == angle) {
+            *name = Ident::new("rad", name.span());
+        }
+    }
+    unit
 }
 
 /// The message for an impossible dimension.

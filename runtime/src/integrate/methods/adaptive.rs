@@ -268,7 +268,6 @@ pub(crate) fn first<P: Embedded, T: Scalar, E: Rates<State: Coordinates<Scalar =
     let pace = T::select(curvature.less_or_equal(speed), speed, curvature);
     // a motion that seems to be at rest does not get one single step
     let longest = left / number(rest, 16.0);
-    let longest = T::select(zero.less(longest), longest, left);
     let step = number(rest, root(tolerance, 1.0, P::ESTIMATE)) / pace;
     let step = T::select(step.less(longest), step, longest);
     let step = T::select(zero.less(pace), step, longest);

@@ -20,6 +20,7 @@ mod numbers;
 mod operations;
 mod printed;
 mod rooms;
+mod symbols;
 mod trees;
 mod words;
 mod zeros;

@@ -31,11 +31,12 @@ pub use course::control::{Control, Held, Sampled};
 pub use course::integration::{Integrate, Integration};
 pub use course::observed::{Events, Sample, Samples, Steps};
 pub use methods::adaptive::{Adaptive, AdaptiveRun, DormandPrince, Verner};
+pub use methods::by_tolerance::{PairRun, RungeKuttaPair, SeriesBelow};
 pub use methods::closed_form::{ClosedForm, PathRun};
 pub use methods::commutator_free::{cf4, cf4_step};
 pub use methods::either::EitherRun;
 pub use methods::fixed::{Fixed, FixedRun};
-pub use methods::paired::{PairRun, RungeKuttaPair, SeriesBelow};
+
 pub use methods::projected::{Projected, ProjectedRun, cf4_projected};
 pub use methods::runge_kutta::{
     Classical4, DormandPrince8, Embedded, Midpoint, RungeKutta, Tsitouras5, Verner9,

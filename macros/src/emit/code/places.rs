@@ -25,10 +25,7 @@ pub fn places(outline: &Outline) -> Vec<Place> {
     let places = places_of_body(outline.motion, part.as_ref()).into_iter();
     let places = places.map(|(source, path, names, variable)| {
         let component: Component = Box::new(move |meaning| match meaning {
-            Meaning::Of(_, Variable::Quaternion, part) if variable == Variable::Quaternion => {
-                Some((part + 3) % 4)
-            }
-            Meaning::Of(_, known, part) if known == variable => Some(part),
+            Meaning::Of(_, known, part) if known == variable => Some(variable.place(part)),
             _ => None,
         });
         (source, path, names, component)

@@ -87,13 +87,8 @@ fn describe(outline: &Outline, meaning: Meaning) -> Option<(Place, (usize, usize
                 Some(field) => field.names.len() > 1,
                 None => variable != Variable::Angle && !is_angular_scalar(outline, variable),
             };
-            let part = if variable == Variable::Quaternion {
-                (part + 3) % 4
-            } else {
-                part
-            };
             let place = (Kind::Motion, variable as usize, is_vector);
-            let order = (joint.unwrap_or(0), part);
+            let order = (joint.unwrap_or(0), variable.place(part));
             Some((place, order, of_motion(outline, variable, is_vector)))
         }
         Meaning::Time => Some(((Kind::Time, 0, false), (0, 0), "time, s".to_owned())),

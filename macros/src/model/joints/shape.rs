@@ -236,10 +236,7 @@ impl Field {
         if variable != self.variable {
             return None;
         }
-        if variable == Variable::Quaternion {
-            return Some((part + 3) % 4);
-        }
-        let part = part.checked_sub(self.first)?;
+        let part = variable.place(part).checked_sub(self.first)?;
         (part < self.names.len()).then_some(part)
     }
 }

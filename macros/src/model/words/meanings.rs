@@ -50,6 +50,14 @@ impl Variable {
         )
     }
 
+    /// The place of a component in the runtime's types: a quaternion has its scalar last.
+    pub fn place(self, part: usize) -> usize {
+        match self {
+            Self::Quaternion => (part + 3) % 4,
+            _ => part,
+        }
+    }
+
     /// Its name in the type of the acceleration.
     pub fn of_acceleration(self) -> &'static str {
         match self {

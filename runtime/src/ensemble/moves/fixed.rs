@@ -18,7 +18,8 @@ use crate::numbers::count::real;
 use crate::numbers::lanes::{Lanes, Register, Width, Work};
 use crate::state::Coordinates;
 
-/// In lanes: each member moves as it would alone, to the bit. If a motion becomes non-finite, the
+/// In lanes: each member moves as it would alone, to the bit. Bodies whose mass or inertia changes
+/// move one by one, because each step checks these. If a motion becomes non-finite, the
 /// error contains the state at the start.
 impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
     type Alone = Self;

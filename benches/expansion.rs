@@ -1,7 +1,7 @@
 //! The time that the expansion of descriptions takes, and how it grows with their size.
 //!
 //! Proc macros run unoptimized in every build of a user's crate, so this should run unoptimized,
-//! too: `cargo test --bench expansion`, which is `cargo bench` without optimization. Robot files,
+//! too: `cargo test -p mounted --bench expansion`, which is `cargo bench` without optimization. Robot files,
 //! whose root floats, are given as `-- robot.urdf:root_link`.
 
 #[path = "../tests/compiler/descriptions.rs"]

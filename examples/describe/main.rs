@@ -1,8 +1,8 @@
 //! Prints the description equivalent to a robot file, for copying and editing:
 //!
 //! ```sh
-//! cargo run --example describe -- robot.urdf
-//! cargo run --example describe -- robot.urdf 'locked: [finger = 20[mm]], joints: [root = free(base)]'
+//! cargo run -p describe -- robot.urdf
+//! cargo run -p describe -- robot.urdf 'locked: [finger = 20[mm]], joints: [root = free(base)]'
 //! ```
 //!
 //! Arguments after the file are additional keys. All numbers are in SI units and
@@ -78,9 +78,9 @@ fn strings(tokens: TokenStream) -> Vec<String> {
 
 fn main() -> ExitCode {
     let mut arguments = std::env::args().skip(1);
-    let path = arguments.next().unwrap_or_else(|| {
-        concat!(env!("CARGO_MANIFEST_DIR"), "/examples/urdf_arm.urdf").to_owned()
-    });
+    let path = arguments
+        .next()
+        .unwrap_or_else(|| concat!(env!("CARGO_MANIFEST_DIR"), "/../urdf_arm.urdf").to_owned());
     let beside: Vec<String> = arguments.collect();
     match described(Path::new(&path), &beside.join(", ")) {
         Ok(description) => {

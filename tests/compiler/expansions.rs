@@ -1,13 +1,13 @@
 //! Expansions in readable form: a few in full, and the lengths of all.
 
 use std::fs;
-use std::path::Path;
 use std::time::Instant;
 
 use proc_macro2::{Literal, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use crate::descriptions::{many_forces, quadrotor};
+use crate::repository;
 use crate::{expand_description, expand_system, pretty, printed};
 
 fn plank() -> TokenStream {
@@ -147,7 +147,7 @@ fn slider_crank() -> TokenStream {
 
 /// Compares with the file of that name; `BLESS=1` writes it.
 fn check(name: &str, expansion: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+    let path = repository()
         .join("tests/compiler/snapshots")
         .join(format!("{name}.rs"));
     if std::env::var_os("BLESS").is_some() {
@@ -200,7 +200,7 @@ fn the_same_description_gives_the_same_expansion() {
 /// The first page shows a description, and behind it the lines that come out of it.
 #[test]
 fn the_first_page_shows_what_comes_out() {
-    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
+    let page = repository().join("README.md");
     let page = fs::read_to_string(page).expect("the first page");
     let blocks: Vec<&str> = page.split("```").skip(1).step_by(2).collect();
     let described = blocks.iter().find(|block| block.contains("rigid_body!("));

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::repository;
 use crate::text;
 use mounted::errors::Errors;
 use mounted::expand::expand_system;
@@ -24,7 +25,7 @@ impl Random {
 }
 
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/urdf")
+    repository().join("tests/urdf")
 }
 
 /// What is made of a file with this text; without mistakes, what is printed of it has none.

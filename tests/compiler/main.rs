@@ -25,8 +25,14 @@ mod trees;
 mod words;
 mod zeros;
 
+use std::path::{Path, PathBuf};
+
 use proc_macro2::TokenStream;
 use quote::quote;
+
+fn repository() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
 
 /// The expansion of a description, as the macro of the runtime would ask for it.
 fn expand_description(description: TokenStream) -> TokenStream {

@@ -7,6 +7,7 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 
 use crate::files::{Random, errors, mutant};
+use crate::repository;
 use mounted::errors::Errors;
 use mounted::expand::expand_system;
 use mounted::syntax;
@@ -376,7 +377,7 @@ fn what_equations_say_of_a_coupling_has_its_line() {
 
 #[test]
 fn no_model_makes_the_compiler_panic() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/mjcf");
+    let folder = repository().join("tests/mjcf");
     let text = fs::read_to_string(folder.join("quadruped.xml")).expect("the file is there");
     let (mut random, mut refused) = (Random(0x2545_f491_4f6c_dd1d), 0);
     for number in 0..3000 {

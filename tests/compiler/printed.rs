@@ -8,14 +8,13 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{Item, ItemMacro};
 
+use crate::repository;
 use crate::text;
 use mounted::errors::Errors;
 use mounted::syntax;
 
 fn path(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests")
-        .join(name)
+    repository().join("tests").join(name)
 }
 
 /// The macros in a file, in the order in which they stand there.

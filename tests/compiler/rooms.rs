@@ -1,6 +1,7 @@
 //! The structure of the compiler: which room may import which, and that no files in a room form a
 //! cycle.
 
+use crate::repository;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -113,7 +114,7 @@ struct House(BTreeMap<Module, File>);
 
 impl House {
     fn read() -> Self {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("macros/src");
+        let root = repository().join("macros/src");
         let mut files = BTreeMap::new();
         let mut folders = vec![root.clone()];
         while let Some(folder) = folders.pop() {

@@ -55,7 +55,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 
 /// What the files of the runtime need of each other.
 fn runtime() -> Needs {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("runtime/src");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../runtime/src");
     let mut modules = Modules::default();
     for file in files(&root) {
         let source = fs::read_to_string(&file).expect("a readable source");

@@ -2,7 +2,7 @@
 //! after the kind of mistake, and `many/ten_mistakes.rs` with ten at once.
 //!
 //! The messages depend on the toolchain, which `rust-toolchain.toml` pins. After a change of
-//! wording, run `TRYBUILD=overwrite cargo test --test compile_fail` and review the difference.
+//! wording, run `TRYBUILD=overwrite cargo test -p compile-fail` and review the difference.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ fn hand_over_files() {
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().unwrap();
     let to = target.join("tests/trybuild").join(env!("CARGO_PKG_NAME"));
     fs::create_dir_all(&to).unwrap();
-    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/compile_fail");
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR"));
     let folders = ["urdf", "tables"].map(|folder| fs::read_dir(cases.join(folder)).unwrap());
     for file in folders.into_iter().flatten() {
         let file = file.unwrap().path();
@@ -28,14 +28,16 @@ fn hand_over_files() {
 #[test]
 fn wrong_descriptions_are_refused_in_these_words() {
     hand_over_files();
-    trybuild::TestCases::new().compile_fail("tests/compile_fail/*/*.rs");
+    trybuild::TestCases::new().compile_fail("*/*.rs");
 }
 
 /// What rustc prints about each case.
 fn reports() -> Vec<(PathBuf, String)> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/compile_fail");
-    let folders = fs::read_dir(root).expect("the folder of cases is there");
-    let files = folders.flat_map(|folder| fs::read_dir(folder.unwrap().path()).unwrap());
+    let root = env!("CARGO_MANIFEST_DIR");
+    let inside = fs::read_dir(root).expect("the folder of cases is there");
+    let paths = inside.map(|entry| entry.unwrap().path());
+    let folders = paths.filter(|path| path.is_dir());
+    let files = folders.flat_map(|folder| fs::read_dir(folder).unwrap());
     let paths = files.map(|file| file.unwrap().path());
     let reports = paths.filter(|path| path.extension().is_some_and(|end| end == "stderr"));
     reports
@@ -76,7 +78,7 @@ fn ten_mistakes_are_ten_errors() {
 /// The page of the guide quotes messages in these words.
 #[test]
 fn documented_errors_are_reported() {
-    let page = include_str!("../runtime/src/guide/errors.md");
+    let page = include_str!("../../runtime/src/guide/errors.md");
     let all = reports();
     let quoted = page.lines().filter(|line| line.starts_with("error"));
     let stale: Vec<&str> = quoted

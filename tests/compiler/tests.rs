@@ -5,7 +5,7 @@
     reason = "a description is consumed by its expansion"
 )]
 
-#[path = "../../examples/describe/text.rs"]
+#[path = "../../examples/describe/src/text.rs"]
 mod text;
 
 mod calculus;

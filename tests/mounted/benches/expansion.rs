@@ -4,7 +4,7 @@
 //! too: `cargo test -p mounted --bench expansion`, which is `cargo bench` without optimization. Robot files,
 //! whose root floats, are given as `-- robot.urdf:root_link`.
 
-#[path = "../tests/compiler/descriptions.rs"]
+#[path = "../../compiler/descriptions.rs"]
 mod descriptions;
 
 use std::sync::LazyLock;
@@ -132,7 +132,7 @@ fn main() {
             mounted::expand::expand(quote!((::newton_euler) #description))
         });
     }
-    let references = include_str!("../tests/systems/described.rs");
+    let references = include_str!("../../systems/described.rs");
     let mut systems = vec![
         (
             "double pendulum".into(),
@@ -153,7 +153,7 @@ fn main() {
         ),
         (
             "quadruped, 18 freedoms".into(),
-            described(include_str!("../tests/systems/large.rs"), "Quadruped"),
+            described(include_str!("../../systems/large.rs"), "Quadruped"),
         ),
     ];
     for argument in std::env::args().skip(1).filter(|word| word.contains(':')) {

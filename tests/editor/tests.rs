@@ -10,7 +10,9 @@ use proc_macro2::{TokenStream, TokenTree};
 type Words = BTreeSet<String>;
 
 fn tokens(path: &str) -> Vec<TokenTree> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../..")
+        .join(path);
     let source = fs::read_to_string(&path).expect("a readable source");
     let tokens: TokenStream = source.parse().expect("tokens of Rust");
     tokens.into_iter().collect()
@@ -60,7 +62,9 @@ fn constant(path: &str, name: &str) -> Words {
 
 /// What is found in three tokens in a row of the sources of a folder, not in folders of it.
 fn find(folder: &str, find: impl Fn(&[TokenTree]) -> Option<String>) -> Words {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../..")
+        .join(folder);
     let files = fs::read_dir(path).expect("a readable folder");
     let files = files.map(|file| file.expect("a readable entry").path());
     let files = files.filter(|file| file.extension().is_some_and(|end| end == "rs"));

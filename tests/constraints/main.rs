@@ -10,6 +10,7 @@ mod plane;
 mod rates;
 #[path = "../reference/mod.rs"]
 mod reference;
+mod smooth;
 mod spatial;
 mod supported;
 mod turntable;

@@ -31,6 +31,9 @@ impl Lowering<'_> {
             Kind::Chain(first, rest) => self.chain(first, rest),
             Kind::Call(function, arguments) => self.call(function, arguments, extent),
             Kind::Method(receiver, method, arguments) => {
+                if let Some(gradient) = self.gradient(receiver, method, arguments) {
+                    return gradient;
+                }
                 let Some(value) = self.value(receiver) else {
                     self.visit(arguments);
                     return None;

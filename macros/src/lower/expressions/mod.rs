@@ -7,6 +7,7 @@ mod built_in;
 mod evaluate;
 mod functions;
 mod given;
+mod gradient;
 mod lowering;
 mod members;
 mod points;
@@ -16,6 +17,7 @@ mod vectors;
 mod written;
 
 pub use along_axis::UNTURNED;
+pub use gradient::of_gradient;
 pub use lowering::{Lowering, dimension};
 pub use scope::{
     BUILT_IN, BodyMotion, BodyNames, JointNames, Members, OF_ROD, Offset, Scope, Value,

@@ -7,7 +7,7 @@ use std::collections::{HashMap, HashSet};
 use proc_macro2::Ident;
 
 use crate::errors::{hint, name_meant};
-use crate::model::{Dimension, Frame, Origin, Point, Vector};
+use crate::model::{Constraint, Dimension, Frame, Level, Origin, Point, Vector};
 use crate::symbolic::{Components, Id};
 use crate::syntax::Description;
 
@@ -75,6 +75,17 @@ pub struct Scope {
     defined: HashSet<String>,
     /// Names whose definition could not be read.
     lost: HashSet<String>,
+    constraints: HashMap<String, Kept>,
+}
+
+/// What a constraint keeps at zero.
+#[derive(Clone, Copy)]
+pub enum Kept {
+    Unread,
+    Reported,
+    Scalar(Id, Level),
+    /// A vector, whose components are constraints.
+    Vector,
 }
 
 impl Scope {
@@ -82,6 +93,7 @@ impl Scope {
     pub fn new(description: &Description, repeated: HashSet<String>) -> Self {
         let given = description.params.iter().chain(&description.inputs);
         let declarations = given.chain(&description.states);
+        let kept = description.constraints.iter();
         let definitions = description.points.iter().chain(&description.locals);
         let declared = declarations.map(|declaration| declaration.name.to_string());
         let foreign = description.foreign().map(|(name, _)| name.to_string());
@@ -91,6 +103,9 @@ impl Scope {
             used: HashSet::new(),
             defined: declared.chain(defined).chain(foreign).collect(),
             lost: description.lost.iter().cloned().chain(repeated).collect(),
+            constraints: kept
+                .map(|one| (one.name.to_string(), Kept::Unread))
+                .collect(),
         }
     }
 
@@ -101,6 +116,21 @@ impl Scope {
     /// Replaces the value of a name.
     pub fn redefine(&mut self, name: &str, value: Option<Value>) {
         self.values.insert(name.to_owned(), value);
+    }
+
+    /// The constraints that one entry makes; `None` if it is reported.
+    pub fn define_constraints(&mut self, name: &str, constraints: Option<&[Constraint]>) {
+        let whole = constraints.map_or(Kept::Reported, |_| Kept::Vector);
+        self.constraints.insert(name.to_owned(), whole);
+        for one in constraints.into_iter().flatten() {
+            let kept = Kept::Scalar(one.value, one.level);
+            self.constraints.insert(one.name.clone(), kept);
+        }
+    }
+
+    /// What a constraint keeps at zero; `None` if there is no such constraint.
+    pub fn constraint(&self, name: &str) -> Option<Kept> {
+        self.constraints.get(name).copied()
     }
 
     /// Removes the value of a name. The name gets a value later.

@@ -49,6 +49,8 @@ impl Lowering<'_> {
                 self.check_inputs(written, found, description, inputs)
                     .is_some()
             });
+            self.scope
+                .define_constraints(&written.name.to_string(), found.as_deref());
             match (&mut all, found) {
                 (Some(all), Some(found)) => all.extend(found),
                 _ => all = None,

@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 use crate::errors::every;
 use crate::families::LoadKind;
 use crate::lower::expressions::{
-    Lowering, UNTURNED, Value, direction, is_unknown, lower_unit, placeholders,
+    Lowering, UNTURNED, Value, direction, is_unknown, lower_unit, of_gradient, placeholders,
 };
 use crate::model::{Dimension, Frame, Meaning, Point, Reaction, Vector};
 use crate::symbolic::{Components, Id, Stage};
@@ -67,8 +67,8 @@ impl Lowering<'_> {
             None => self.known_part(value, written.kind)?,
         };
         check(self, known)?;
-        let direction = self.work.entries(&[along.unwrap_or(Vector::ZERO)]);
-        let parts = [&known[..], &direction].concat();
+        let entries = self.work.entries(&[along.unwrap_or(Vector::ZERO)]);
+        let parts = [&known[..], &entries].concat();
         self.check_no_acceleration(value, &parts, "a load with unknown components")?;
         // in the plane, a moment has one component, about the normal
         let first = self.motion.axes_of(written.kind).start;
@@ -81,6 +81,7 @@ impl Lowering<'_> {
             known,
             unknown: unknown.map(|(axis, place)| (first + axis, place)).collect(),
             along,
+            gradient_of: direction(value).and_then(of_gradient),
             symbols: Vector::ZERO,
         })
     }

@@ -17,12 +17,12 @@ use crate::model::{Frame, Load, Model, Pair, Vector, Workspace};
 use crate::symbolic::{Components, Function, Id, Residue, Sample, Size};
 
 use super::constrained::{Constrained, active, differentiate};
+use super::constraint_checks::{check_independent, check_kept, check_smooth, smooth_support};
 use super::inertial::{balances_of, inertial_change};
 use super::left_over::balances_left;
 use super::pushes::{Push, known_loads, pushes};
-use super::redundancy::{check_independent, check_kept};
 use super::rows::{Sides, equations};
-use super::solvability::{OF_REACTIONS, check_across, check_determined};
+use super::solvability::{Advice, OF_REACTIONS, check_across, check_determined};
 use super::unit::{assemble, name_values, named_result, names};
 
 /// The motion under constraints.
@@ -42,6 +42,7 @@ pub fn derive_constrained(
     let constraints = differentiate(model, work);
     check_independent(work, &constraints, errors)?;
     let pushes = pushes(model, work);
+    check_smooth(model, work, &constraints, &pushes, errors)?;
     if let Some(axis) = model.state.axis {
         let units = pushes.iter().map(|push| &push.unit);
         check_across(model, work, axis, units, errors)?;
@@ -68,8 +69,25 @@ pub fn derive_constrained(
     }
     let elimination = work.graph.solve(system, pushes.len());
     let left: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
-    let determined = check_determined(work, &names, &elimination, |_| OF_REACTIONS, errors);
-    check_kept(model, &constraints, &left, &pushes, &elimination, errors)?;
+    let smooth: String = constraints
+        .iter()
+        .map(|one| smooth_support(work, one))
+        .collect();
+    let zero = format!("{}{smooth}", OF_REACTIONS.zero);
+    let advice = Advice {
+        zero: &zero,
+        ..OF_REACTIONS
+    };
+    let determined = check_determined(work, &names, &elimination, |_| advice, errors);
+    check_kept(
+        model,
+        work,
+        &constraints,
+        &left,
+        &pushes,
+        &elimination,
+        errors,
+    )?;
     determined?;
     name_values(work, &names, &elimination);
     let Pair { linear, angular } = pushed(work, free, &pushes, &elimination.values);

@@ -2,6 +2,7 @@
 
 mod consistency;
 mod constrained;
+mod constraint_checks;
 mod constraints;
 mod drives;
 mod inertial;
@@ -9,7 +10,6 @@ mod inverse;
 mod left_over;
 mod pushes;
 mod reactions;
-mod redundancy;
 mod rows;
 mod solvability;
 mod unit;

@@ -96,7 +96,7 @@ fn push<'m>(
 }
 
 /// The part of a load that moves the body.
-fn free_load(model: &Model, work: &mut Workspace, unit: &Unit<'_>) -> Pair {
+pub fn free_load(model: &Model, work: &mut Workspace, unit: &Unit<'_>) -> Pair {
     let force = work.components(unit.force, Frame::WORLD);
     let moment = if model.motion.has_attitude() {
         let moment = work.components(unit.moment, model.state.body);

@@ -86,20 +86,20 @@ fn drive(model: &Model, reaction: &Reaction) -> String {
 
 /// What to say about undetermined unknowns of some kind.
 #[derive(Clone, Copy)]
-pub struct Advice {
+pub struct Advice<'a> {
     /// If the unknown appears in no equation.
     pub alone: &'static str,
     /// When the value of the unknown is zero.
-    pub zero: &'static str,
+    pub zero: &'a str,
 }
 
 /// For reactions under constraints.
-pub const OF_REACTIONS: Advice = Advice {
+pub const OF_REACTIONS: Advice<'static> = Advice {
     alone: "no constraint is left for it to keep; write its value, 0 if nothing holds the body there",
     zero: "if it carries nothing",
 };
 
-pub const OF_DRIVES: Advice = Advice {
+pub const OF_DRIVES: Advice<'static> = Advice {
     alone: "it has no part in how the body moves freely",
     zero: "if it is at rest",
 };
@@ -127,11 +127,11 @@ pub fn check_supports(
 }
 
 /// Reports undetermined unknowns, each by its name at its place.
-pub fn check_determined(
+pub fn check_determined<'a>(
     work: &Workspace,
     unknowns: &[(String, Extent)],
     elimination: &Elimination,
-    advice: impl Fn(usize) -> Advice,
+    advice: impl Fn(usize) -> Advice<'a>,
     errors: &mut Errors,
 ) -> Option<()> {
     for Undetermined {

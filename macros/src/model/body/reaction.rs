@@ -23,6 +23,8 @@ pub struct Reaction {
     pub unknown: Vec<(usize, Extent)>,
     /// The direction of `_ * direction`, which has one unknown.
     pub along: Option<Vector>,
+    /// The constraint whose gradient the direction is: its support is smooth.
+    pub gradient_of: Option<String>,
     /// The whole load as symbols, given from outside, in world axes.
     pub symbols: Vector,
 }

@@ -1,15 +1,16 @@
-//! Checks that the constraints determine the unknowns and the unknowns keep all constraints, with
-//! errors at their places.
+//! Checks that the constraints determine the unknowns, the unknowns keep all constraints, and smooth
+//! supports do no work, with errors at their places.
 
 use std::collections::BTreeSet;
 
 use crate::errors::Errors;
-use crate::mechanics::proofs::samples;
+use crate::mechanics::proofs::{all_vanish, samples};
 use crate::model::{Model, Workspace};
 use crate::symbolic::{Elimination, Id, Residue};
 
 use super::constrained::Constrained;
-use super::pushes::Push;
+use super::pushes::{Push, free_load};
+use super::unit::Unit;
 
 /// The gradient of a constraint on one branch, with its parts along earlier gradients removed.
 struct Reduced {
@@ -113,6 +114,7 @@ fn reduce(mut gradient: Vec<Residue>, basis: &[Reduced]) -> (Vec<Residue>, Vec<u
 /// Reports constraints that no unknown keeps, and remaining balances that are not satisfied.
 pub fn check_kept(
     model: &Model,
+    work: &Workspace,
     constraints: &[Constrained],
     left: &[&str],
     pushes: &[Push<'_>],
@@ -125,8 +127,9 @@ pub fn check_kept(
                 constraint.place.span(),
                 format!(
                     "no unknown reaction keeps `{}`: mark one with `_` in `reactions`, with a part \
-                     against it",
-                    constraint.name
+                     against it{}",
+                    constraint.name,
+                    smooth_support(work, constraint)
                 ),
             );
         } else if let Some(push) = pushes.iter().find(|push| push.supports) {
@@ -149,4 +152,53 @@ pub fn check_kept(
         }
     }
     elimination.spare.is_empty().then_some(())
+}
+
+/// Reports a `_ * wire.gradient()` that is not proved to be along the whole gradient, of which a
+/// force has the linear part, and its arm the angular part.
+pub fn check_smooth(
+    model: &Model,
+    work: &mut Workspace,
+    constraints: &[Constrained],
+    pushes: &[Push<'_>],
+    errors: &mut Errors,
+) -> Option<()> {
+    let mut all = Some(());
+    for push in pushes {
+        let Unit {
+            load, axis, place, ..
+        } = push.unit;
+        let is_it = |constraint: &&Constrained| Some(&constraint.name) == load.gradient_of.as_ref();
+        let Some(constraint) = constraints.iter().find(is_it) else {
+            continue;
+        };
+        let unit = Unit::new(model, work, load, load.frame, (axis, place), &[]);
+        let [load, gradient] = [free_load(model, work, &unit), constraint.rates.factors];
+        let graph = &mut work.graph;
+        let sides = load.entries().into_iter().zip(gradient.entries());
+        let rest: Vec<_> = sides.map(|(a, b)| graph.subtract(a, b)).collect();
+        if !all_vanish(work, &rest) {
+            let name = &constraint.name;
+            errors.push(
+                place,
+                format!(
+                    "`{name}` holds another point than the one at which this acts: a smooth support \
+                     acts there, `(_ * {name}.gradient()).at(P)`"
+                ),
+            );
+            all = None;
+        }
+    }
+    all
+}
+
+/// How the smooth support of a constraint is written, as the end of a message. Empty for a
+/// constraint of velocities, which is kept by friction, and for one that only moments keep.
+pub fn smooth_support(work: &Workspace, constraint: &Constrained) -> String {
+    let along_position = constraint.rates.factors.linear;
+    let is_turning = along_position.iter().all(|part| work.graph.is_zero(*part));
+    if constraint.position.is_none() || is_turning {
+        return String::new();
+    }
+    format!("; a smooth support is `_ * {}.gradient()`", constraint.name)
 }

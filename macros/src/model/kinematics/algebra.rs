@@ -9,7 +9,7 @@
 use std::collections::BTreeSet;
 
 use crate::model::words::Frame;
-use crate::symbolic::{Components, Graph, Id};
+use crate::symbolic::{Components, Function, Graph, Id};
 
 use super::turned_vector::Turns;
 use super::vector::{Part, Vector};
@@ -95,8 +95,20 @@ impl Workspace {
         self.map(a, Graph::negate_vector)
     }
 
+    /// A multiple of a vector. A factor that contains its length needs it in one frame, so the
+    /// multiple is taken there.
     pub fn scale(&mut self, factor: Id, a: Vector) -> Vector {
+        let a = match self.gathered.get(&a) {
+            Some((square, gathered)) if self.contains(factor, *square) => *gathered,
+            _ => a,
+        };
         self.map(a, |graph, part| graph.scale_vector(factor, part))
+    }
+
+    fn contains(&self, whole: Id, part: Id) -> bool {
+        // operands come before what is made of them
+        let inside = self.graph.reachable(&[whole], |id| id > part);
+        inside.contains(&part)
     }
 
     /// The components of a vector in one frame; parts in other frames are rotated.
@@ -110,13 +122,13 @@ impl Workspace {
 
     /// The components in the frame of the only part. If there are several parts, the frame is a
     /// free choice: the first one, that of a body.
-    fn in_one_frame(&mut self, a: Vector) -> Components {
+    fn in_one_frame(&mut self, a: Vector) -> (Frame, Components) {
         let frame = match *self.parts(a) {
             [] => Frame::WORLD,
             [(frame, _)] => frame,
             [(first, _), ..] => self.turns.as_mut().map_or(first, Turns::choose_axes),
         };
-        self.components(a, frame)
+        (frame, self.components(a, frame))
     }
 
     /// `a x b`, frame by frame: the parts written in a frame are multiplied with each other, and
@@ -180,13 +192,24 @@ impl Workspace {
     }
 
     pub fn norm_squared(&mut self, a: Vector) -> Id {
-        let components = self.in_one_frame(a);
-        self.graph.norm_squared(components)
+        let (frame, components) = self.in_one_frame(a);
+        let square = self.graph.norm_squared(components);
+        if self.turns.is_none() && self.nonzero(&self.entries(&[a])) > self.nonzero(&components) {
+            let gathered = self.vector(frame, components);
+            self.gathered.insert(a, (square, gathered));
+        }
+        square
+    }
+
+    /// The number of nonzero components.
+    fn nonzero(&self, components: &[Id]) -> usize {
+        let components = components.iter();
+        components.filter(|id| !self.graph.is_zero(**id)).count()
     }
 
     pub fn norm(&mut self, a: Vector) -> Id {
-        let components = self.in_one_frame(a);
-        let norm = self.graph.norm(components);
+        let square = self.norm_squared(a);
+        let norm = self.graph.apply(Function::Sqrt, &[square]);
         self.labels.name(norm, "norm");
         norm
     }

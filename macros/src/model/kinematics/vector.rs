@@ -4,7 +4,7 @@ use crate::model::words::Frame;
 use crate::symbolic::Components;
 
 /// A physical vector: the sum of its parts.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Vector(usize);
 
 impl Vector {

@@ -3,13 +3,14 @@
 use crate::model::words::{
     Doubtful, ForeignConstant, ForeignFunction, Frame, Labels, Meaning, Meanings, Variable,
 };
+use std::collections::HashMap;
 use std::ops::Range;
 
 use crate::symbolic::{Components, Graph, Id, Node, Stage};
 
 use super::attitude::Attitude;
 use super::turned_vector::{Turn, Turns};
-use super::vector::Vectors;
+use super::vector::{Vector, Vectors};
 
 /// The workspace of a description: its graph, its vectors in their frames, and the words for its
 /// content. Lowering creates it, and mechanics continues with it.
@@ -30,6 +31,9 @@ pub struct Workspace {
     /// The frame that each frame is a copy of, or itself.
     originals: Vec<Frame>,
     pub(super) vectors: Vectors,
+    /// Of vectors whose length is known, and which have fewer components in the frame in which it was
+    /// taken: its square, and the vector in that frame.
+    pub(super) gathered: HashMap<Vector, (Id, Vector)>,
     /// Rotated vectors that are kept apart, while potentials are read.
     pub turns: Option<Turns>,
     /// All other rotated vectors, whose rates are known as vectors.

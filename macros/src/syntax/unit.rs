@@ -6,6 +6,7 @@ use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, Extent};
 
+use super::bare_unit::BareUnit;
 use super::tokens::group_beyond;
 use super::words::is_keyword;
 use crate::fraction::Fraction;
@@ -58,9 +59,10 @@ fn product(tokens: TokenStream, around: &Group, errors: &mut Errors) -> Option<F
             TokenTree::Punct(sign) if sign.as_char() == '*' => false,
             TokenTree::Punct(sign) if sign.as_char() == '/' => true,
             TokenTree::Ident(word) => {
+                let unit = BareUnit::read(word, tail).written;
                 return errors.report(
                     word.span(),
-                    format!("expected `*` or `/` between units: write `* {word}`"),
+                    format!("expected `*` or `/` between units: write `* {unit}`"),
                 );
             }
             other => {

@@ -50,7 +50,8 @@ impl Lowering<'_> {
         };
         self.check_mass_key(
             description,
-            crate::lower::expressions::written_motion(description).is_some(),
+            crate::lower::expressions::written_motion(description).is_some()
+                && !description.is_system(),
         );
         let order = if self.motion.is_line() {
             self.definitions_at_axis(description, defaults, &order, &mut mass)

@@ -168,8 +168,8 @@ fn check_motion(description: &Description, errors: &mut Errors) {
     let all = || words().collect::<Vec<_>>().join("`, `");
     let name = &description.name;
     let Some(syntax::Motion { word, support }) = &description.motion else {
-        // a key without a value is already reported
-        if !description.keys.iter().any(|key| key == "motion") {
+        // a key without a value is already reported, and so is a system
+        if !description.is_system() && !description.keys.iter().any(|key| key == "motion") {
             errors.push(
                 name.span(),
                 format!(

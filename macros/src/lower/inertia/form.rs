@@ -34,7 +34,7 @@ impl Lowering<'_> {
             if !self.motion.has_attitude() {
                 return Some(Inertia::Absent);
             }
-            written_motion(description)?;
+            written_motion(description).filter(|_| !description.is_system())?;
             let form = if self.motion.has_one_moment() {
                 "0.1[kg * m ^ 2]"
             } else {

@@ -5,7 +5,7 @@ use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
 use crate::errors::Errors;
 
-use super::entry::parse_value;
+use super::definition::parse_value;
 use crate::syntax::expression::{Expression, Kind, Operator};
 use crate::syntax::tokens::{Entry, is_punct, split, start, stream, without_attributes};
 use crate::syntax::{Check, Claim, Given};

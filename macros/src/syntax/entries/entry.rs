@@ -1,10 +1,12 @@
 //! The entries of lists: declarations, definitions, loads and single words.
 
-use proc_macro2::{Delimiter, Group, Ident, TokenTree};
+use proc_macro2::{Delimiter, Ident, TokenTree};
 
 use crate::errors::Errors;
 
 use super::charges::parse_charges;
+use super::declaration::parse_declaration;
+use super::definition::{parse_constraint, parse_definition, parse_value};
 use super::foreign::{parse_constant, parse_function};
 use crate::families::Family;
 use crate::families::LoadKind;
@@ -13,10 +15,8 @@ use crate::syntax::Definition;
 use crate::syntax::Description;
 use crate::syntax::Load;
 use crate::syntax::Value;
-use crate::syntax::bare_unit::{BareUnit, is_unit_word};
 use crate::syntax::expression::{Expression, Kind};
-use crate::syntax::tokens::{after_sign, is_punct, start, stream};
-use crate::syntax::unit::UnitExpression;
+use crate::syntax::tokens::start;
 use crate::syntax::words::check_name;
 
 /// Reads one entry of the list `key`. An entry without a name is dropped. An entry without a value
@@ -54,7 +54,7 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
         "rates" => into.rates.push(parse_definition(name, rest, errors)),
         "points" => into.points.push(parse_definition(name, rest, errors)),
         "locals" => into.locals.push(parse_definition(name, rest, errors)),
-        "constraints" => into.constraints.push(parse_definition(name, rest, errors)),
+        "constraints" => into.constraints.push(parse_constraint(name, rest, errors)),
         "potentials" => {
             let Definition { name, value } = parse_definition(name, rest, errors);
             let value = value.map(|value| without_point(value, errors));
@@ -96,7 +96,7 @@ pub fn parse_name<'t>(
 ) -> Option<(Ident, &'t [TokenTree])> {
     match entry {
         [TokenTree::Ident(word), TokenTree::Group(group), ..]
-            if group.delimiter() == Delimiter::Parenthesis && key != "outputs" =>
+            if group.delimiter() == Delimiter::Parenthesis && !DECLARED.contains(&key) =>
         {
             errors.report(
                 word.span(),
@@ -155,102 +155,6 @@ fn family(key: &str) -> (Family, Option<LoadKind>) {
         "reactions" => (Family::Reaction, None),
         _ => (Family::Field, None),
     }
-}
-
-fn parse_declaration(
-    name: Ident,
-    key: &str,
-    rest: &[TokenTree],
-    errors: &mut Errors,
-) -> Declaration {
-    let (rest, moving) = match rest {
-        [rest @ .., TokenTree::Punct(dot), TokenTree::Ident(word)]
-            if dot.as_char() == '.' && word == "moving" =>
-        {
-            (rest, Some(word.clone()))
-        }
-        _ => (rest, None),
-    };
-    let (unit, value) = match rest {
-        [] => (None, None),
-        [TokenTree::Group(group), tail @ ..] if group.delimiter() == Delimiter::Bracket => {
-            let unit = parse_unit(&name, key, group, tail, errors);
-            let refused = unit.is_none();
-            (unit, refused.then_some(None))
-        }
-        [TokenTree::Punct(colon), unit @ ..] if key != "params" && colon.as_char() == ':' => {
-            let unit = match unit {
-                [] => "unit".to_owned(),
-                _ => stream(unit).to_string(),
-            };
-            errors.push(
-                colon.span(),
-                format!("write `{name}[{unit}]`: a unit stands in brackets"),
-            );
-            (None, Some(None))
-        }
-        [TokenTree::Ident(word), after @ ..] if is_unit_word(word) => {
-            let unit = BareUnit::read(word, after);
-            let message = format!(
-                "a unit stands in brackets: write `{name}[{}]`",
-                unit.written
-            );
-            errors.push(unit.extent, message);
-            (None, Some(None))
-        }
-        _ => (None, Some(parse_value(&name, rest, errors))),
-    };
-    Declaration {
-        name,
-        unit,
-        value,
-        moving,
-        order: 0,
-    }
-}
-
-/// The unit in brackets that ends a declaration.
-fn parse_unit(
-    name: &Ident,
-    key: &str,
-    group: &Group,
-    tail: &[TokenTree],
-    errors: &mut Errors,
-) -> Option<UnitExpression> {
-    let Some(next) = tail.first() else {
-        return UnitExpression::parse(group, errors);
-    };
-    if !is_punct(next, '=') {
-        let message = format!("expected `{name}`, `{name}[unit]` or `{name} = value`");
-        return errors.report(start(next), message);
-    }
-    let unit = group.stream();
-    let message = if key == "inputs" {
-        format!("an input has no value here: write `{name}[{unit}]`, or make it a param")
-    } else {
-        format!("a unit stands behind its number: write `{name} = ..[{unit}]`")
-    };
-    errors.report(group.span(), message)
-}
-
-fn parse_definition(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Definition {
-    let value = parse_value(&name, rest, errors);
-    Definition { name, value }
-}
-
-/// The value after the `=`.
-pub fn parse_value(name: &Ident, rest: &[TokenTree], errors: &mut Errors) -> Value {
-    let Some((_, value)) = after_sign(rest, '=') else {
-        let place = rest.first().map_or(name.span(), start);
-        return errors.report(place, format!("expected a value: write `{name} = ..`"));
-    };
-    if value.is_empty() {
-        return errors.report(
-            name.span(),
-            format!("`{name}` has no value: write `{name} = ..`"),
-        );
-    }
-    Expression::parse(stream(value), errors)
 }
 
 /// Removes the point of action, which a potential does not have.

@@ -1,12 +1,13 @@
 //! From tokens to a [`Description`]: its head and its keys.
 
-use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenStream, TokenTree};
 
-use crate::errors::{Errors, Extent, foreign_key_meant, similar};
+use crate::errors::{Errors, Extent};
 
 use super::checks::parse_check;
 use super::composition::Composition;
 use super::entry::{parse_entry, parse_name};
+use super::keys::{LISTS, VALUES, is_of_systems, key_meant, report_of_system, report_unknown};
 use crate::syntax::expression::Expression;
 use crate::syntax::head::parse_head;
 use crate::syntax::motion::parse_motion;
@@ -16,29 +17,6 @@ use crate::syntax::tokens::{
 use crate::syntax::words::is_keyword;
 use crate::syntax::{Description, Written};
 
-/// Keys whose value is a list, each with an example entry.
-const LISTS: [(&str, &str); 18] = [
-    ("constants", "area = crate::AREA[m ^ 2]"),
-    ("functions", "lift(alpha) = crate::lift[N]"),
-    ("params", "arm = 0.2[m]"),
-    ("inputs", "thrust[N]"),
-    ("states", "speed[rad / s]"),
-    ("rates", "speed = (command - speed) / lag"),
-    ("points", "tip = (0.1, 0, 0)"),
-    ("locals", "total = thrust_1 + thrust_2"),
-    ("forces", "push = body(1, 0, 0).at(tip)"),
-    ("moments", "drag = body(0, 0, 1)"),
-    ("joint_forces", "pull = body(1, 0, 0).at(tip)"),
-    ("joint_moments", "motor = body(0, 0, 1)"),
-    ("reactions", "support = world(0, 0, 1).at(tip)"),
-    ("constraints", "contact = position.in_world().z"),
-    ("fields", "weight = mass * world(0, 0, -9.80665[m / s ^ 2])"),
-    ("potentials", "spring = 20[N / m] * position.norm_squared()"),
-    ("outputs", "energy"),
-    ("checks", "light = mass < 3[kg]"),
-];
-/// All other keys.
-const VALUES: [&str; 5] = ["doc", "motion", "mass", "inertia", "pole"];
 /// The most tokens of a description. An error at this limit is better than minutes of waiting.
 const TOKENS: usize = 50_000;
 
@@ -69,32 +47,14 @@ pub fn parse_keys(description: &mut Description, body: TokenStream, errors: &mut
     for entry in split(body, Entry::Key, errors) {
         let entry = without_attributes(&entry, errors);
         match (entry, open_list) {
-            ([TokenTree::Ident(name), equals, ..], Some(list))
-                if is_punct(equals, '=') && key_meant(&name.to_string()).is_none() =>
+            ([TokenTree::Ident(name), rest @ ..], Some(list))
+                if is_further(list, rest) && key_meant(&name.to_string()).is_none() =>
             {
                 parse_one(description, list, entry, errors);
             }
             _ => open_list = parse_key(description, entry, errors),
         }
     }
-}
-
-/// The key that `word` is, or was probably meant to be.
-pub fn key_meant(word: &str) -> Option<&'static str> {
-    let known = || LISTS.iter().map(|(key, _)| *key).chain(VALUES);
-    known()
-        .find(|key| *key == word)
-        .or_else(|| similar(word, known()))
-}
-
-/// Reports an unknown key, and suggests the one that was probably meant.
-pub fn report_unknown(key: &Ident, meant: Option<&str>, errors: &mut Errors) {
-    let elsewhere = || foreign_key_meant(&key.to_string());
-    let hint = meant.or_else(elsewhere).map_or_else(
-        || "; the documentation of the macro lists all keys".to_owned(),
-        |meant| format!("; did you mean `{meant}`?"),
-    );
-    errors.push(key.span(), format!("there is no key `{key}`{hint}"));
 }
 
 /// Reads `key: value`. Returns the key of a list that lacks its brackets.
@@ -120,6 +80,10 @@ pub fn parse_key(
             format!("put everything into one `{word}: [..]`")
         };
         errors.push(key.span(), format!("`{word}` is given twice: {advice}"));
+    }
+    if is_of_systems(key) {
+        report_of_system(into, key, errors);
+        return None;
     }
     if !exact {
         report_unknown(key, meant, errors);
@@ -225,7 +189,7 @@ fn parse_list(
                 start(first),
                 format!("`{list}` is a list in brackets: write `{list}: [{example}]`"),
             );
-            let is_entry = rest.first().is_some_and(|token| is_punct(token, '='));
+            let is_entry = is_name(first) && is_further(list, rest);
             if is_entry {
                 parse_one(into, list, value, errors);
             }
@@ -238,11 +202,13 @@ fn parse_list(
             format!("`{list}` is a list in brackets: write `{list}: [{example}]`"),
         );
     }
-    let form = match list {
-        "params" | "inputs" | "states" | "outputs" => Entry::Declared,
-        _ => Entry::Defined,
+    let form = if is_declared(list) {
+        Entry::Declared
+    } else {
+        Entry::Defined
     };
     for entry in split(group.stream(), form, errors) {
+        let entry = bracketed_entry(group, entry);
         let entry = match list {
             "params" | "inputs" | "states" => take_texts(into, &entry),
             _ => &entry,
@@ -250,6 +216,36 @@ fn parse_list(
         parse_one(into, list, without_attributes(entry, errors), errors);
     }
     None
+}
+
+/// Whether the entries of a list may be names without a value.
+fn is_declared(list: &str) -> bool {
+    matches!(list, "params" | "inputs" | "states" | "outputs")
+}
+
+/// Whether tokens after a name make it an entry of a list without brackets.
+fn is_further(list: &str, after: &[TokenTree]) -> bool {
+    match after.first() {
+        Some(sign) if is_punct(sign, '=') => true,
+        next => is_declared(list) && !next.is_some_and(|sign| is_punct(sign, ':')),
+    }
+}
+
+fn is_name(token: &TokenTree) -> bool {
+    name_of(token).is_some_and(|word| !is_keyword(&word))
+}
+
+/// An entry of a list, as it would be written in brackets. In braces, which are reported, it may be
+/// `name: value`.
+pub fn bracketed_entry(list: &Group, mut entry: Vec<TokenTree>) -> Vec<TokenTree> {
+    if let (Delimiter::Brace, [TokenTree::Ident(_), sign, ..]) = (list.delimiter(), &mut entry[..])
+        && is_punct(sign, ':')
+    {
+        let mut equals = Punct::new('=', Spacing::Alone);
+        equals.set_span(sign.span());
+        *sign = TokenTree::Punct(equals);
+    }
+    entry
 }
 
 /// Takes the documentation in front of a declaration, and returns the rest.

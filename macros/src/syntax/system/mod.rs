@@ -16,7 +16,8 @@ use crate::errors::{Errors, foreign_list_meant, similar};
 pub use file::{File, file_beside};
 
 use super::entries::{
-    check_length, key_meant, key_value, parse_key, parse_name, parse_value, report_unknown,
+    bracketed_entry, check_length, key_meant, key_value, parse_key, parse_name, parse_value,
+    report_unknown,
 };
 use super::expression::{Expression, call};
 use super::head::parse_head;
@@ -162,6 +163,10 @@ impl System {
                 key.span(),
                 format!("`{word}` belongs to a body: write it in the braces of one, in `bodies`"),
             );
+        } else if word == "reactions" {
+            let message = "the loads that joints hold are an output: write `outputs: [reactions]`, or \
+                           `outputs: [reactions(elbow)]` for those of one";
+            errors.push(key.span(), message);
         } else if LATER.contains(&word.as_str()) {
             errors.push(
                 key.span(),
@@ -229,6 +234,7 @@ impl System {
             errors.push(group.span_open(), message);
         }
         for entry in split(group.stream(), Entry::Defined, errors) {
+            let entry = bracketed_entry(group, entry);
             let entry = without_attributes(&entry, errors);
             if list == "bodies" {
                 self.parse_body(entry, errors);

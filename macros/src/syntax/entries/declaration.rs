@@ -1,0 +1,118 @@
+//! Declarations of params, inputs and states: `arm = 0.2[m]`, `thrust[N]`.
+
+use proc_macro2::{Delimiter, Group, Ident, TokenTree};
+
+use super::definition::parse_value;
+use crate::errors::{Errors, silently};
+use crate::syntax::Declaration;
+use crate::syntax::bare_unit::{BareUnit, is_unit_word};
+use crate::syntax::tokens::{is_punct, start, stream};
+use crate::syntax::unit::UnitExpression;
+use crate::units::is_unit;
+
+pub fn parse_declaration(
+    name: Ident,
+    key: &str,
+    rest: &[TokenTree],
+    errors: &mut Errors,
+) -> Declaration {
+    let (rest, moving) = match rest {
+        [rest @ .., TokenTree::Punct(dot), TokenTree::Ident(word)]
+            if dot.as_char() == '.' && word == "moving" =>
+        {
+            (rest, Some(word.clone()))
+        }
+        _ => (rest, None),
+    };
+    let (unit, value) = match rest {
+        [] => (None, None),
+        [TokenTree::Group(group), tail @ ..] if group.delimiter() == Delimiter::Bracket => {
+            let unit = parse_unit(&name, key, group, tail, errors);
+            let refused = unit.is_none();
+            (unit, refused.then_some(None))
+        }
+        [TokenTree::Punct(colon), unit @ ..] if key != "params" && colon.as_char() == ':' => {
+            let message = match unit_meant(unit) {
+                Some(unit) => format!("write `{name}[{unit}]`: a unit stands in brackets"),
+                None if key == "inputs" => format!(
+                    "an input has no type: write `{name}[unit]` for a scalar, or \
+                     `{name} = world(_, _, _)[unit]` for a vector"
+                ),
+                None => format!("a state has no type: write `{name}[unit]`"),
+            };
+            errors.push(colon.span(), message);
+            (None, Some(None))
+        }
+        [TokenTree::Group(group), ..] if group.delimiter() == Delimiter::Parenthesis => {
+            let message = match unit_meant(&rest[..1]) {
+                Some(unit) if key != "params" => {
+                    format!("a unit stands in brackets: write `{name}[{unit}]`")
+                }
+                _ => format!("expected `{name}`, `{name}[unit]` or `{name} = value`"),
+            };
+            errors.push(group.span_open(), message);
+            (None, Some(None))
+        }
+        [TokenTree::Ident(word), after @ ..] if is_unit_word(word) => {
+            let unit = BareUnit::read(word, after);
+            let message = format!(
+                "a unit stands in brackets: write `{name}[{}]`",
+                unit.written
+            );
+            errors.push(unit.extent, message);
+            (None, Some(None))
+        }
+        _ => (None, Some(parse_value(&name, rest, errors))),
+    };
+    Declaration {
+        name,
+        unit,
+        value,
+        moving,
+        order: 0,
+    }
+}
+
+/// The unit in brackets that ends a declaration.
+fn parse_unit(
+    name: &Ident,
+    key: &str,
+    group: &Group,
+    tail: &[TokenTree],
+    errors: &mut Errors,
+) -> Option<UnitExpression> {
+    let Some(next) = tail.first() else {
+        return UnitExpression::parse(group, errors);
+    };
+    if !is_punct(next, '=') {
+        let message = format!("expected `{name}`, `{name}[unit]` or `{name} = value`");
+        return errors.report(start(next), message);
+    }
+    let unit = group.stream();
+    let is_open = |token: &TokenTree| matches!(token, TokenTree::Ident(word) if word == "_");
+    let message = if let ("inputs", [_, value @ .., TokenTree::Group(parts)]) = (key, tail)
+        && parts.stream().into_iter().any(|token| is_open(&token))
+    {
+        let value = stream(value);
+        format!("a unit stands behind the components: write `{name} = {value}{parts}[{unit}]`")
+    } else if key == "inputs" {
+        format!("an input has no value here: write `{name}[{unit}]`, or make it a param")
+    } else {
+        format!("a unit stands behind its number: write `{name} = ..[{unit}]`")
+    };
+    errors.report(group.span(), message)
+}
+
+/// The unit that is written without its brackets, or in other ones.
+fn unit_meant(tokens: &[TokenTree]) -> Option<String> {
+    let group = match tokens {
+        [] => return Some("unit".to_owned()),
+        [TokenTree::Group(group)] if group.delimiter() != Delimiter::Brace => group.clone(),
+        _ => Group::new(Delimiter::Bracket, stream(tokens)),
+    };
+    let unit = silently(|errors| UnitExpression::parse(&group, errors))?;
+    let mut words = unit.factors.iter().map(|(word, _)| word.to_string());
+    words
+        .all(|word| is_unit(&word))
+        .then(|| group.stream().to_string())
+}

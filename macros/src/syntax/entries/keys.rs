@@ -1,0 +1,73 @@
+//! The keys of a body, and suggestions for unknown ones.
+
+use proc_macro2::Ident;
+
+use crate::errors::{Errors, foreign_key_meant, similar};
+use crate::syntax::Description;
+
+/// Keys whose value is a list, each with an example entry.
+pub const LISTS: [(&str, &str); 18] = [
+    ("constants", "area = crate::AREA[m ^ 2]"),
+    ("functions", "lift(alpha) = crate::lift[N]"),
+    ("params", "arm = 0.2[m]"),
+    ("inputs", "thrust[N]"),
+    ("states", "speed[rad / s]"),
+    ("rates", "speed = (command - speed) / lag"),
+    ("points", "tip = (0.1, 0, 0)"),
+    ("locals", "total = thrust_1 + thrust_2"),
+    ("forces", "push = body(1, 0, 0).at(tip)"),
+    ("moments", "drag = body(0, 0, 1)"),
+    ("joint_forces", "pull = body(1, 0, 0).at(tip)"),
+    ("joint_moments", "motor = body(0, 0, 1)"),
+    ("reactions", "support = world(0, 0, 1).at(tip)"),
+    ("constraints", "contact = position.in_world().z"),
+    ("fields", "weight = mass * world(0, 0, -9.80665[m / s ^ 2])"),
+    ("potentials", "spring = 20[N / m] * position.norm_squared()"),
+    ("outputs", "energy"),
+    ("checks", "light = mass < 3[kg]"),
+];
+/// Keys that only systems have.
+const OF_SYSTEMS: [&str; 7] = [
+    "bodies", "joints", "drives", "drawing", "locked", "urdf", "mjcf",
+];
+/// All other keys.
+pub const VALUES: [&str; 5] = ["doc", "motion", "mass", "inertia", "pole"];
+
+/// The key that `word` is, or was probably meant to be.
+pub fn key_meant(word: &str) -> Option<&'static str> {
+    let known = || LISTS.iter().map(|(key, _)| *key).chain(VALUES);
+    known()
+        .find(|key| *key == word)
+        .or_else(|| similar(word, known()))
+}
+
+/// Reports an unknown key, and suggests the one that was probably meant.
+pub fn report_unknown(key: &Ident, meant: Option<&str>, errors: &mut Errors) {
+    let elsewhere = || foreign_key_meant(&key.to_string());
+    let hint = meant.or_else(elsewhere).map_or_else(
+        || "; the documentation of the macro lists all keys".to_owned(),
+        |meant| format!("; did you mean `{meant}`?"),
+    );
+    errors.push(key.span(), format!("there is no key `{key}`{hint}"));
+}
+
+/// Whether a key belongs to systems alone.
+pub fn is_of_systems(key: &Ident) -> bool {
+    OF_SYSTEMS.iter().any(|word| key == word)
+}
+
+impl Description {
+    /// Whether this is a system that is described as a body, which is reported.
+    pub fn is_system(&self) -> bool {
+        self.keys.iter().any(is_of_systems)
+    }
+}
+
+/// Reports a system that is described as a body, once.
+pub fn report_of_system(into: &mut Description, key: &Ident, errors: &mut Errors) {
+    if !into.is_system() {
+        let message = format!("`{key}` belongs to a system of bodies: write `rigid_system!`");
+        errors.push(key.span(), message);
+    }
+    into.keys.push(key.clone());
+}

@@ -1,0 +1,11 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Rocket {
+    motion: spatial,
+    mass: 1[kg],
+    inertia: principal(1, 1, 1)[kg * m ^ 2],
+    inputs: [wind: Vector3<f64>],
+    forces: [drag = 0.2[N * s / m] * (wind - velocity)],
+});
+
+fn main() {}

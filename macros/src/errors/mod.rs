@@ -4,8 +4,8 @@
 mod suggestions;
 
 pub use suggestions::{
-    foreign_key_meant, foreign_list_meant, function_meant, hint, hint_of_joint, name_meant,
-    similar, vector_method_meant,
+    declaration_meant, foreign_key_meant, foreign_list_meant, function_meant, hint, hint_of_joint,
+    name_meant, similar, unit_of, vector_method_meant,
 };
 
 use proc_macro2::{Span, TokenStream};

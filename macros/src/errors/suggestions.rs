@@ -113,6 +113,7 @@ const KEYS: &Elsewhere = &[
     ("torque", "moments"),
     ("torques", "moments"),
     ("controls", "inputs"),
+    ("parameters", "params"),
     ("variables", "locals"),
     ("name", "doc"),
 ];
@@ -123,6 +124,45 @@ const KEYS_OF_SYSTEMS: &Elsewhere = &[
     ("actuators", "drives"),
     ("motors", "drives"),
 ];
+
+/// Words in names, each with the unit of what is probably meant.
+const QUANTITIES: &Elsewhere = &[
+    ("torque", "N * m"),
+    ("moment", "N * m"),
+    ("force", "N"),
+    ("thrust", "N"),
+    ("tension", "N"),
+    ("wind", "m / s"),
+    ("speed", "m / s"),
+    ("angle", "rad"),
+    ("mass", "kg"),
+    ("m", "kg"),
+    ("g", "m / s ^ 2"),
+    ("gravity", "m / s ^ 2"),
+    ("stiffness", "N / m"),
+    ("length", "m"),
+    ("radius", "m"),
+];
+/// Those of them that stay constant.
+const CONSTANT: [&str; 6] = ["mass", "g", "gravity", "stiffness", "length", "radius"];
+
+/// The unit of what a name probably means.
+pub fn unit_of(name: &str) -> &'static str {
+    let unit = name.split('_').find_map(|part| meant(part, QUANTITIES));
+    unit.unwrap_or("m")
+}
+
+/// The declaration of an unknown name that says what it is, such as `motor_torque`.
+pub fn declaration_meant(name: &str) -> Option<String> {
+    let mut parts = name.split('_').filter(|part| part.len() > 1);
+    let part = parts.find(|part| meant(part, QUANTITIES).is_some())?;
+    let unit = unit_of(part);
+    Some(if CONSTANT.contains(&part) {
+        format!("params: [{name} = 1[{unit}]]")
+    } else {
+        format!("inputs: [{name}[{unit}]]")
+    })
+}
 
 fn meant(word: &str, elsewhere: &Elsewhere) -> Option<&'static str> {
     let mut all = elsewhere.iter();

@@ -137,6 +137,9 @@ impl Reader<'_> {
             Expr::Path(path) if path.path.get_ident().is_some() => {
                 Some(Kind::Call(path.path.get_ident()?.clone(), arguments))
             }
+            Expr::Path(path) if is_vector(&path.path) => {
+                self.refuse(path, "a vector is written `body(..)` or `world(..)`")
+            }
             other => self.refuse(
                 other,
                 "expected a function in front of the parentheses, such as `world` or `body`; \
@@ -309,3 +312,9 @@ const TYPES: [&str; 14] = [
     "f32", "f64", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128",
     "usize",
 ];
+
+/// Whether a path is that of a constructor such as `Vector3::new`.
+fn is_vector(path: &syn::Path) -> bool {
+    let first = path.segments.first();
+    first.is_some_and(|word| word.ident.to_string().starts_with("Vec"))
+}

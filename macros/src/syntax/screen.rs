@@ -242,7 +242,13 @@ impl Screen<'_> {
             && !is_punct(next, '=')
         {
             let place = Extent::from(word.span()).to(bang.span().into());
-            return self.refuse(place, "no macro can be called here");
+            let message = match text.as_str() {
+                "vector" | "vec" => {
+                    "a vector is written `body(..)` or `world(..)`, without a macro"
+                }
+                _ => "no macro can be called here",
+            };
+            return self.refuse(place, message);
         }
         if matches!(text.as_str(), "if" | "else" | "true" | "false") || !is_keyword(&text) {
             return Some(word.clone());

@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::similar;
+use crate::errors::{declaration_meant, similar, unit_of};
 use crate::model::{Attitude, Dimension, Frame, Meaning, Point, Variable, Vector};
 use crate::symbolic::{Components, Number, Stage};
 use crate::units::is_unit;
@@ -114,13 +114,12 @@ impl Lowering<'_> {
             }
             _ => {
                 let of_body = self.members.with_body(&word).filter(|_| self.is_whole);
-                of_body.map_or_else(
-                    || {
-                        let advice = self.advice(&word);
-                        format!("nothing here is called `{word}`{advice}")
-                    },
-                    |named| format!("of which body? write for example `{named}`"),
-                )
+                let of_joint = self.members.with_joint(&word).filter(|_| self.is_whole);
+                match (of_body, of_joint) {
+                    (Some(named), _) => format!("of which body? write for example `{named}`"),
+                    (_, Some(named)) => format!("of which joint? write for example `{named}`"),
+                    _ => format!("nothing here is called `{word}`{}", self.advice(&word)),
+                }
             }
         };
         self.report(name.span(), message)
@@ -130,6 +129,24 @@ impl Lowering<'_> {
     fn advice(&self, word: &str) -> String {
         let hint = self.members.hint(word, self.scope.known());
         let is_similar = |known| is_constant(known) && similar(word, [known]).is_some();
+        let is_meant = |known| similar(word, [known]).is_some();
+        if let Some(quantity) = self.quantity(word)
+            && !self.scope.own().any(is_meant)
+        {
+            return format!("; write `{quantity}`");
+        }
+        if hint.is_empty() && (is_letter(word) || declaration_meant(word).is_some()) {
+            let declared = declaration_meant(word).unwrap_or_else(|| {
+                let name = word.to_lowercase();
+                format!("params: [{name} = 1[{}]]", unit_of(&name))
+            });
+            let constant = if is_letter(word) {
+                self.of_rust(word)
+            } else {
+                String::new()
+            };
+            return format!("; declare it, as in `{declared}`{constant}");
+        }
         if is_unit(word) && hint.is_empty() {
             format!("; a unit stands in brackets, as in `2[{word}]`")
         } else if is_constant(word) && !self.scope.known().any(is_similar) {
@@ -139,13 +156,36 @@ impl Lowering<'_> {
         }
     }
 
+    /// The quantity of the motion of G that a word means.
+    fn quantity(&self, word: &str) -> Option<String> {
+        let (axis, up) = if self.motion.is_planar {
+            ("xy", "y")
+        } else {
+            ("xyz", "z")
+        };
+        let quantity = match word {
+            "altitude" | "height" => format!("position.in_world().{up}"),
+            "speed" => "velocity.norm()".to_owned(),
+            _ if word.len() == 1 && axis.contains(word) => format!("position.in_world().{word}"),
+            _ => return None,
+        };
+        let body = self.members.declared.first().filter(|_| self.is_whole);
+        let body = body.map_or(String::new(), |body| format!("{body}."));
+        self.motion
+            .knows_position()
+            .then(|| format!("{body}{quantity}"))
+    }
+
     /// For messages: how a name in capitals can be declared.
     fn of_rust(&self, word: &str) -> String {
         let mut name = word.to_lowercase();
         if self.scope.known().any(|known| known == name) {
             name.push_str("_given");
         }
-        let form = format!("constants: [{name} = {word}[m]]");
+        let form = format!(
+            "constants: [{name} = {word}[{}]]",
+            unit_of(&word.to_lowercase())
+        );
         format!("; a constant of Rust is declared with its unit, as in `{form}`")
     }
 
@@ -238,6 +278,11 @@ impl Lowering<'_> {
         }
         Some(())
     }
+}
+
+/// Whether a name is one capital letter, as of a constant of Rust or a symbol of a textbook.
+fn is_letter(word: &str) -> bool {
+    word.len() == 1 && word.chars().all(char::is_uppercase)
 }
 
 /// Whether a name looks like that of a constant of Rust.

@@ -12,6 +12,7 @@ use super::built_in::POINT_OF_GROUND;
 use super::lowering::Lowering;
 use super::scope::Value;
 use super::unit::TOO_LARGE;
+use super::written::as_method;
 
 pub const VECTOR_METHODS: [&str; 7] = [
     "cross",
@@ -55,13 +56,15 @@ impl Lowering<'_> {
             _ if Function::from_name(&word).is_some()
                 || SCALAR_METHODS.contains(&word.as_str()) =>
             {
+                let form = as_method(function, arguments);
                 self.report(
                     function.span(),
-                    format!("functions are methods, as in Rust: write `x.{word}(..)`"),
+                    format!("functions are methods, as in Rust: write `{form}`"),
                 )
             }
             _ if VECTOR_METHODS.contains(&word.as_str()) => {
-                self.report(function.span(), format!("write `a.{word}(..)`"))
+                let form = as_method(function, arguments);
+                self.report(function.span(), format!("write `{form}`"))
             }
             _ => match self.scope.look_up(&word) {
                 Some(Some(Value::Function(number))) => self.foreign(number, function, arguments),
@@ -139,6 +142,13 @@ impl Lowering<'_> {
                 self.vector_method(value, method, arguments)
             }
             Value::Point(point) => self.point_method(point, method, arguments),
+            Value::Attitude => self.report(
+                method.span(),
+                format!(
+                    "the attitude has no method `{word}`: it has the parts `w`, `i`, `j` and `k`, and a \
+                     direction of the body in world axes is `body(1, 0, 0).in_world()`"
+                ),
+            ),
             other => self.report(
                 method.span(),
                 format!("{} has no method `{word}`", other.kind()),

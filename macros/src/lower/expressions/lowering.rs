@@ -13,6 +13,7 @@ use crate::syntax::{Expression, Kind};
 
 use super::scope::Value;
 use super::scope::{Members, Scope};
+use super::written::short;
 
 /// Messages that several places use.
 pub const AXES: &str = "in which axes? write `body(..)` or `world(..)` in front of the parentheses";
@@ -125,11 +126,13 @@ impl Lowering<'_> {
                 self.mismatch(expression, dimension, found, what)
             }
             Value::Scalar(..) => {
-                let form = if self.motion.is_planar {
-                    "world(0, 1)"
-                } else {
-                    "world(0, 0, 1)"
+                let text = short(expression);
+                let axes = match text {
+                    Some(_) if !self.is_whole && !self.motion.is_line() => "body",
+                    _ => "world",
                 };
+                let zeros = if self.motion.is_planar { "0" } else { "0, 0" };
+                let form = format!("{axes}({zeros}, {})", text.as_deref().unwrap_or("1"));
                 self.report(
                     expression.extent,
                     format!("{what} is a vector, and this is a scalar: write for example `{form}`"),

@@ -10,6 +10,9 @@ use super::lowering::{Lowering, OfPoint};
 use super::scope::Value;
 use super::scope::{JointNames, Offset};
 
+/// The most points that a message lists.
+const LISTED: usize = 8;
+
 impl Lowering<'_> {
     /// The value of an expression that begins with the name of a body or of a joint. The outer
     /// `None` stands for any other expression.
@@ -176,8 +179,13 @@ impl Lowering<'_> {
                      angles of these, or with vectors"
             )
         } else {
-            let points = known.points.iter().map(|(name, _)| name.as_str());
-            let hint = hint(&written, points.chain(of_state).chain(["G"]));
+            let points = ["G"].into_iter();
+            let points = points.chain(known.points.iter().map(|(name, _)| name.as_str()));
+            let mut hint = hint(&written, points.clone().chain(of_state));
+            if hint.is_empty() {
+                let all: Vec<&str> = points.take(LISTED).collect();
+                hint = format!("; it has `{}`", all.join("`, `"));
+            }
             format!("`{name}` has no point `{written}`{hint}")
         };
         self.report(word.span(), message)

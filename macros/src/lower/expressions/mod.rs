@@ -25,5 +25,5 @@ pub use scope::{
 pub use unit::{in_radians, lower_unit, written_unit};
 pub use written::{
     base, difference, direction, has_placeholder, is_drive, is_of_solid, is_turning_drive,
-    is_unknown, motion, placeholders, strip_unit, written_frame, written_motion,
+    is_unknown, motion, placeholders, short, strip_unit, written_frame, written_motion,
 };

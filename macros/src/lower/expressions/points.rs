@@ -80,11 +80,11 @@ impl Lowering<'_> {
         found: Dimension,
         written: &Expression,
     ) -> Option<Point> {
+        self.check_fixed(frame, &components, written)?;
         if !found.fits(Dimension::LENGTH) {
             let (place, found) = (self.culprit(written, Dimension::LENGTH), found.described());
             return self.report(place, format!("a point is in m, and this is {found}"));
         }
-        self.check_fixed(frame, &components, written)?;
         let composed = self.composed.map(|composed| Drawn::From(composed.origin));
         let offset = match composed.unwrap_or(self.drawn) {
             Drawn::From(origin) if frame == self.state.body => {

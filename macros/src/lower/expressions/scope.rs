@@ -75,6 +75,7 @@ pub struct Scope {
     defined: HashSet<String>,
     /// Names whose definition could not be read.
     lost: HashSet<String>,
+    locals: HashSet<String>,
     constraints: HashMap<String, Kept>,
 }
 
@@ -98,6 +99,7 @@ impl Scope {
         let declared = declarations.map(|declaration| declaration.name.to_string());
         let foreign = description.foreign().map(|(name, _)| name.to_string());
         let defined = definitions.map(|definition| definition.name.to_string());
+        let locals = description.locals.iter();
         Self {
             values: HashMap::new(),
             used: HashSet::new(),
@@ -106,6 +108,7 @@ impl Scope {
             constraints: kept
                 .map(|one| (one.name.to_string(), Kept::Unread))
                 .collect(),
+            locals: locals.map(|local| local.name.to_string()).collect(),
         }
     }
 
@@ -168,6 +171,11 @@ impl Scope {
         self.values.contains_key(name)
     }
 
+    /// Whether this is the name of a local.
+    pub fn is_local(&self, name: &str) -> bool {
+        self.locals.contains(name)
+    }
+
     /// Whether the definition of a name could not be read.
     pub fn is_lost(&self, name: &str) -> bool {
         self.lost.contains(name)
@@ -183,10 +191,14 @@ impl Scope {
         CHANGING.contains(&name)
     }
 
+    /// The names that the description gives a meaning.
+    pub fn own(&self) -> impl Iterator<Item = &str> {
+        self.values.keys().map(String::as_str)
+    }
+
     /// The names that have a meaning.
     pub fn known(&self) -> impl Iterator<Item = &str> {
-        let own = self.values.keys().map(String::as_str);
-        own.chain(BUILT_IN).chain(FOLLOWED)
+        self.own().chain(BUILT_IN).chain(FOLLOWED)
     }
 
     /// Whether a name was looked up.
@@ -340,6 +352,14 @@ impl Members {
             Some(meant) if known.contains(&meant) => format!("; did you mean `{meant}`?"),
             _ => hint(name, known),
         }
+    }
+
+    /// `elbow.angle`, if the joint `elbow` has a coordinate `angle`.
+    pub fn with_joint(&self, coordinate: &str) -> Option<String> {
+        let mut joints = self.joints.iter();
+        let joint =
+            joints.find(|joint| joint.values.iter().any(|(name, _)| *name == coordinate))?;
+        Some(format!("{}.{coordinate}", joint.name))
     }
 
     /// `upper.tip`, if the body `upper` has a point `tip`.

@@ -5,13 +5,14 @@ use proc_macro2::Ident;
 use crate::errors::{hint, vector_method_meant};
 use crate::model::{Attitude, Dimension, Frame, Point, Vector};
 use crate::symbolic::{Components, Function, Id};
-use crate::syntax::Expression;
+use crate::syntax::{Expression, Kind};
 
 use super::along_axis::UNTURNED;
 use super::functions::VECTOR_METHODS;
 use super::lowering::{Lowering, OfPoint, dimension};
 use super::scope::Value;
 use super::unit::TOO_LARGE;
+use super::written::short;
 
 impl Lowering<'_> {
     /// In the plane: `w.cross(v)`, where the scalar `w` is about z.
@@ -201,20 +202,23 @@ impl Lowering<'_> {
                     ),
                 }
             }
-            Value::Vector(..) if !VECTOR_METHODS.contains(&word.as_str()) => self.report(
-                field.span(),
-                if self.motion.is_planar && word == "z" {
-                    "in the plane a vector has no `z`".to_owned()
-                } else if self.motion.is_line() {
-                    format!("a component in which axes? write `.in_world().{word}`")
+            Value::Vector(..) if !VECTOR_METHODS.contains(&word.as_str()) => {
+                self.component_without_axes(receiver, field)
+            }
+            Value::Point(_) if axes.contains(&&*word) && self.motion.knows_position() => {
+                let point = short(receiver).unwrap_or_else(|| "P".to_owned());
+                let in_world = format!("`{point}.position().in_world().{word}`");
+                let of_body = format!("`({point}.position() - position).in_body().{word}`");
+                let message = if self.motion.is_line() {
+                    format!("a component in which axes? write {in_world}")
                 } else {
-                    format!(
-                        "a component in which axes? write `.in_body().{word}` or `.in_world().{word}`"
-                    )
-                },
-            ),
+                    format!("a component in which axes? write {in_world}, or from G {of_body}")
+                };
+                self.report(field.span(), message)
+            }
             Value::Attitude => {
-                let Attitude::Quaternion { scalar, vector } = self.work.attitude(self.state.body) else {
+                let Attitude::Quaternion { scalar, vector } = self.work.attitude(self.state.body)
+                else {
                     return None;
                 };
                 match ["w", "i", "j", "k"].iter().position(|part| *part == word) {
@@ -244,5 +248,27 @@ impl Lowering<'_> {
                 )
             }
         }
+    }
+
+    /// Reports `v.x` of a vector whose axes are not chosen.
+    fn component_without_axes(&mut self, receiver: &Expression, field: &Ident) -> Option<Value> {
+        let message = if self.motion.is_planar && field == "z" {
+            "in the plane a vector has no `z`".to_owned()
+        } else if self.motion.is_line() {
+            format!("a component in which axes? write `.in_world().{field}`")
+        } else {
+            format!(
+                "a component in which axes? write `.in_body().{field}` or `.in_world().{field}`"
+            )
+        };
+        // the axes of a local can be chosen where it is defined, so they are asked for once
+        if let Kind::Name(name) = &receiver.kind
+            && self.scope.is_local(&name.to_string())
+        {
+            self.scope.redefine(&name.to_string(), None);
+            let message = format!("{message}, here or once at the end of the local `{name}`");
+            return self.report(field.span(), message);
+        }
+        self.report(field.span(), message)
     }
 }

@@ -1,5 +1,7 @@
 //! What can be said of an expression before it is read.
 
+use proc_macro2::Ident;
+
 use crate::errors::Extent;
 use crate::families::Family;
 use crate::model::{FrameWord, MOTIONS, Motion, is_solid};
@@ -132,8 +134,20 @@ pub fn difference(expression: &Expression) -> Option<String> {
     })
 }
 
+/// `x.sin()` for `sin(x)`.
+pub fn as_method(function: &Ident, arguments: &[Expression]) -> String {
+    let texts = arguments.iter().map(short);
+    let mut texts = texts.map(|text| text.unwrap_or_else(|| "..".to_owned()));
+    let receiver = texts.next().map_or("x".to_owned(), |text| match &*text {
+        ".." => "(..)".to_owned(),
+        _ => text,
+    });
+    let others: Vec<String> = texts.collect();
+    format!("{receiver}.{function}({})", others.join(", "))
+}
+
 /// The text of an expression that is a name, a number, or a part of one.
-fn short(expression: &Expression) -> Option<String> {
+pub fn short(expression: &Expression) -> Option<String> {
     match &expression.kind {
         Kind::Number(digits) => Some(digits.clone()),
         Kind::Name(name) => Some(name.to_string()),

@@ -1,0 +1,12 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Rocket {
+    motion: spatial,
+    mass: 1[kg],
+    inertia: principal(1, 1, 1)[kg * m ^ 2],
+    inputs: [thrust[N]],
+    points: [nozzle = (0, 0, -0.6)],
+    forces: [push = thrust.at(nozzle)],
+});
+
+fn main() {}

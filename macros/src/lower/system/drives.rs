@@ -109,14 +109,14 @@ fn along(field: &Field, all: &[(Variable, usize)]) -> Vec<usize> {
 fn check_drivable(
     joint: &TreeJoint,
     all: &[(Variable, usize)],
-    target: &Expression,
+    (drive, target): (&Ident, &Expression),
     errors: &mut Errors,
 ) -> Option<()> {
     let name = &joint.name;
     if joint.is_driven() {
         let message = format!(
             "`{name}` moves as prescribed: its drive is solved for, and is a field of the \
-             reactions"
+             reactions; leave `{drive}` out"
         );
         return errors.report(target.extent, message);
     }
@@ -132,12 +132,12 @@ fn check_drivable(
 fn chosen(
     joint: &TreeJoint,
     all: &[(Variable, usize)],
-    target: &Expression,
+    (drive, target): (&Ident, &Expression),
     errors: &mut Errors,
 ) -> Option<Vec<usize>> {
     let name = &joint.name;
     let (_, word) = joint_named(target, errors)?;
-    check_drivable(joint, all, target, errors)?;
+    check_drivable(joint, all, (drive, target), errors)?;
     let known = coordinates(joint.kind);
     let words: Vec<&str> = known.iter().map(|(word, _)| *word).collect();
     let Some(word) = word else {
@@ -201,7 +201,7 @@ impl Reader<'_> {
         let joint = &mut joints[place];
         let all = joint.kind.freedoms(self.system.is_planar);
         let is_open = matches!(load.kind, Kind::Placeholder);
-        let chosen = chosen(joint, &all, target, errors)?;
+        let chosen = chosen(joint, &all, (&drive.name, target), errors)?;
         if let Some(((word, _), _)) = call(load).filter(|((word, _), _)| *word == "moment") {
             let form = if chosen.len() == 1 {
                 "torque"

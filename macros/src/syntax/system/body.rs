@@ -12,6 +12,15 @@ use crate::syntax::{Definition, Description};
 
 use super::{LATER, OF_SYSTEMS, System};
 
+/// Names that other programs and textbooks give to the ground.
+const GROUNDS: [&str; 6] = ["ground", "base", "base_link", "floor", "wall", "earth"];
+
+/// Whether a body has neither mass nor inertia.
+fn has_no_substance(body: &Description) -> bool {
+    let written = [&body.mass, &body.inertia];
+    written.into_iter().all(Option::is_none) && body.composition.is_none()
+}
+
 impl System {
     /// `name { key: value, .. }`, or several of these if commas are missing.
     pub fn parse_body(&mut self, entry: &[TokenTree], errors: &mut Errors) {
@@ -42,6 +51,15 @@ impl System {
         };
         let mut body = Description::new(name.clone(), self.top.runtime.clone());
         let copies = self.parse_keys_of_body(&mut body, group, errors);
+        if GROUNDS.iter().any(|word| name == word) && has_no_substance(&body) {
+            let message = format!(
+                "`{name}` has no mass: if it is the ground, leave it out, and write its points as `world(..)`; a body \
+                 has a mass, `mass: 1[kg]`"
+            );
+            errors.push(name.span(), message);
+            self.has_lost_bodies = true;
+            return;
+        }
         let first = self.bodies.len();
         match copies {
             None => self.add(body, first, errors),

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
-use crate::errors::Errors;
+use crate::errors::{Errors, similar};
 use crate::syntax::expression::Expression;
 use crate::syntax::tokens::{Entry, split, start, stream};
 
@@ -27,9 +27,17 @@ impl System {
     fn without_names(&mut self, list: &Group, errors: &mut Errors) -> Group {
         let mut kept: Vec<TokenTree> = Vec::new();
         for token in list.stream() {
+            if let (Some(TokenTree::Ident(word)), TokenTree::Group(group)) =
+                (kept.last_mut(), &token)
+                && let Some(meant) = similar(&word.to_string(), [REACTIONS, JACOBIAN])
+            {
+                let message = format!("there is no output `{word}`: write `{meant}{group}`");
+                errors.push(word.span(), message);
+                *word = Ident::new(meant, word.span());
+            }
             match (kept.last(), &token) {
                 (Some(TokenTree::Ident(word)), TokenTree::Group(group))
-                    if group.delimiter() == Delimiter::Parenthesis && word == "reactions" =>
+                    if group.delimiter() == Delimiter::Parenthesis && word == REACTIONS =>
                 {
                     self.held = Some(joints(group, errors));
                 }
@@ -54,6 +62,7 @@ impl System {
     }
 }
 
+const REACTIONS: &str = "reactions";
 const JACOBIAN: &str = "jacobian";
 const OF_WHICH: &str = "of which points? write `jacobian(arm.tip)`";
 

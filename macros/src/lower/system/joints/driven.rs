@@ -7,6 +7,7 @@ use crate::model::{Coordinate, Dimension, JointKind, Meaning, Rates, Variable};
 use crate::symbolic::Id;
 use crate::syntax::Expression;
 
+use crate::lower::expressions::written_unit;
 use crate::lower::system::reading::names::moving_locals;
 use crate::lower::system::reading::reader::Reader;
 
@@ -184,8 +185,18 @@ impl Reader<'_> {
             let place = self.at_top(errors, |lowering| {
                 lowering.dependent_name(written, &[symbol], &[])
             });
-            let message = "the motion of a driven joint needs its rate and its acceleration: write a function of \
-                           `t`, or of an input with both, `crank[rad].moving`";
+            let input = match self.work.meaning(symbol) {
+                Some(Meaning::Input(input, _)) => self.system.top.inputs.get(input),
+                _ => None,
+            };
+            let form = input.map_or("crank[rad]".to_owned(), |input| match &input.unit {
+                Some(unit) => format!("{}[{}]", input.name, written_unit(unit)),
+                None => input.name.to_string(),
+            });
+            let message = format!(
+                "the motion of a driven joint needs its rate and its acceleration: write a function of `t`, or \
+                 declare an input with both, `{form}.moving`"
+            );
             errors.push(place, message);
             return;
         }

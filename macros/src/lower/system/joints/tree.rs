@@ -1,8 +1,12 @@
 //! Checks that the joints form a tree: each body is carried once, and all are carried by the
 //! ground, directly or indirectly.
 
+use proc_macro2::Ident;
+
 use crate::errors::Errors;
+use crate::lower::expressions::short;
 use crate::model::Holds;
+use crate::syntax::call;
 
 use super::joint::ReadJoint;
 use crate::lower::system::reading::reader::Reader;
@@ -18,7 +22,7 @@ impl Reader<'_> {
         let bodies = &self.system.bodies;
         let is_lost = self.system.has_lost_joints || self.system.has_lost_bodies;
         let mut is_sound = joints.iter().all(Option::is_some) && !is_lost;
-        let (carried_by, closing) = self.carriers(joints, &mut is_sound, errors);
+        let (carried_by, mut closing) = self.carriers(joints, &mut is_sound, errors);
         // a joint with an error may have been meant to carry the body
         if is_sound {
             for (body, _) in bodies
@@ -26,12 +30,17 @@ impl Reader<'_> {
                 .zip(&carried_by)
                 .filter(|(_, by)| by.is_none())
             {
+                is_sound = false;
                 let name = &body.name;
+                if self.check_order(name, joints, errors).is_none() {
+                    // what seems to close a loop is meant to carry this body
+                    closing.clear();
+                    continue;
+                }
                 errors.push(
                     name.span(),
                     format!("nothing carries `{name}`: write a joint of it, such as `orbit = free({name})`"),
                 );
-                is_sound = false;
             }
         }
         let (order, placed) = in_order(joints, &carried_by);
@@ -49,6 +58,48 @@ impl Reader<'_> {
             );
         }
         (order, closing)
+    }
+
+    /// Reports the arguments of a joint in the wrong order: it is on a body that nothing carries,
+    /// and carries one that another joint carries too.
+    fn check_order(
+        &self,
+        name: &Ident,
+        joints: &[Option<ReadJoint>],
+        errors: &mut Errors,
+    ) -> Option<()> {
+        let bodies = &self.system.bodies;
+        let found = || joints.iter().zip(&self.system.joints);
+        let found = || found().filter_map(|(joint, written)| Some((joint.as_ref()?, written)));
+        for (joint, written) in found() {
+            let is_on = |carrier: usize| bodies[carrier].name == *name;
+            let is_other =
+                |other: &ReadJoint| other.carried == joint.carried && other.name != joint.name;
+            let Some((other, _)) = found().find(|(other, _)| is_other(other)) else {
+                continue;
+            };
+            if let (true, Some(((word, [first, second, ..]), _))) = (
+                joint.carrier.is_some_and(is_on),
+                written.value.as_ref().and_then(call),
+            ) {
+                let text = |end| short(end).unwrap_or_else(|| "..".to_owned());
+                let more = if joint.kind.directions() > 0 {
+                    ", .."
+                } else {
+                    ""
+                };
+                let message = format!(
+                    "`{}` is carried by `{}` already; if `{}` carries `{name}`, write `{word}({}, {}{more})`",
+                    bodies[joint.carried].name,
+                    other.name,
+                    joint.name,
+                    text(second),
+                    text(first),
+                );
+                return errors.report(first.extent.to(second.extent), message);
+            }
+        }
+        Some(())
     }
 
     /// The joint that carries each body, and the joints that close loops.

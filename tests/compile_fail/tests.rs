@@ -13,12 +13,13 @@ fn hand_over_files() {
     let to = target.join("tests/trybuild").join(env!("CARGO_PKG_NAME"));
     fs::create_dir_all(&to).unwrap();
     let cases = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let folders = ["urdf", "tables"].map(|folder| fs::read_dir(cases.join(folder)).unwrap());
+    let folders =
+        ["urdf", "mjcf", "tables"].map(|folder| fs::read_dir(cases.join(folder)).unwrap());
     for file in folders.into_iter().flatten() {
         let file = file.unwrap().path();
         if file
             .extension()
-            .is_some_and(|end| end == "urdf" || end == "csv")
+            .is_some_and(|end| end == "urdf" || end == "xml" || end == "csv")
         {
             fs::copy(&file, to.join(file.file_name().unwrap())).unwrap();
         }

@@ -35,7 +35,7 @@ pub fn check_independence(
                 carried.name
             )
         };
-        sound = errors.report(name.span(), message);
+        sound = errors.report(system.joints[joint].written, message);
     }
     sound
 }

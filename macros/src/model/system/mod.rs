@@ -8,6 +8,7 @@ use core::ops::Deref;
 
 use proc_macro2::Ident;
 
+use crate::errors::Extent;
 use crate::symbolic::{Components, Id};
 
 use super::body::{Constraint, Defaults, Form, Inertia, Load, Potentials, Substance};
@@ -77,6 +78,8 @@ impl Member {
 /// How a joint connects two bodies, or a body and the ground: its two sides, and its directions.
 pub struct Connection {
     pub name: Ident,
+    /// Where its name is written, in the description or in a file.
+    pub written: Extent,
     pub kind: &'static JointKind,
     /// The carrier; `None` for the ground.
     pub carrier: Option<usize>,

@@ -7,7 +7,7 @@ use crate::emit::code::{Method, Site, Source};
 use crate::emit::items::{Addition, Field, Record};
 use crate::lower::{INVERSE, Offer, targets};
 use crate::mechanics::derive_system_inverse;
-use crate::model::System;
+use crate::model::{System, TreeJoint};
 use crate::outputs::output::{Basis, Output};
 use crate::symbolic::Id;
 
@@ -16,6 +16,29 @@ const OFFER: Offer = Offer {
     is_of_motion: true,
     ..Offer::new(INVERSE)
 };
+
+/// The error for joints without open drives.
+fn without_drives(joints: &[&TreeJoint], is_planar: bool) -> String {
+    let names: Vec<String> = joints.iter().map(|joint| joint.name.to_string()).collect();
+    let drives = joints.iter().flat_map(|joint| {
+        let open = joint.open.iter().enumerate();
+        let undriven = open.filter(|(_, drive)| drive.is_none());
+        let undriven: Vec<usize> = undriven.map(|(freedom, _)| freedom).collect();
+        targets(joint, &undriven, is_planar)
+    });
+    let drives =
+        drives.map(|target| format!("{}_drive = _.on({target})", target.replace('.', "_")));
+    let drives: Vec<String> = drives.collect();
+    let form = match drives.as_slice() {
+        [drive] => drive.clone(),
+        several => format!("drives: [{}]", several.join(", ")),
+    };
+    format!(
+        "no open drive acts on `{}`, and `inverse` finds the drives that produce a given motion of all \
+         joints: write `{form}`",
+        names.join("`, `"),
+    )
+}
 
 /// The open drives, each with its name and the loads along its freedoms.
 #[derive(Default)]
@@ -29,37 +52,24 @@ impl Output<System> for Inverse {
     fn derive(&mut self, basis: &mut Basis<'_, System>) -> Option<()> {
         let system = basis.model;
         let open = || system.joints.iter().flat_map(|joint| &joint.open);
-        let mut joints = system.joints.iter().filter(|joint| !joint.is_driven());
+        let joints = system.joints.iter().filter(|joint| !joint.is_driven());
         if !system.is_tree() && open().all(Option::is_none) {
             let message =
                 "no drive is open: write `motor = _.on(elbow)` for each that is to be found";
             return basis.errors.report(basis.outline.place(INVERSE)?, message);
         }
         // under constraints, some joints need no drive because they move with the others
-        let mut is_sound = true;
-        let undriven = joints
-            .by_ref()
-            .filter(|joint| system.is_tree() && joint.open.iter().any(Option::is_none));
-        for joint in undriven {
-            let (name, open) = (&joint.name, joint.open.iter().enumerate());
-            let undriven = open.filter(|(_, drive)| drive.is_none());
-            let undriven: Vec<usize> = undriven.map(|(freedom, _)| freedom).collect();
-            let drives: Vec<String> = match &*targets(joint, &undriven, system.is_planar) {
-                [target] => vec![format!("`motor = _.on({target})`")],
-                several => (several.iter().zip(1..))
-                    .map(|(target, number)| format!("`motor_{number} = _.on({target})`"))
-                    .collect(),
+        let undriven: Vec<&TreeJoint> = joints
+            .filter(|joint| system.is_tree() && joint.open.iter().any(Option::is_none))
+            .collect();
+        if let Some(first) = undriven.first() {
+            let place = match undriven.len() {
+                1 => first.written,
+                _ => basis.outline.place(INVERSE)?,
             };
-            let message = format!(
-                "nothing drives `{name}`, and `inverse` finds the drives that produce a given motion of \
-                 all joints: write {}",
-                drives.join(" and ")
-            );
-            basis.errors.push(name.span(), message);
-            is_sound = false;
-        }
-        if !is_sound {
-            return None;
+            return basis
+                .errors
+                .report(place, without_drives(&undriven, system.is_planar));
         }
         let found = derive_system_inverse(system, basis.work, basis.equations, basis.errors);
         let mut drives: Vec<(Ident, Vec<Id>)> = Vec::new();

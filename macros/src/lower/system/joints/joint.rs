@@ -154,6 +154,7 @@ impl Reader<'_> {
         let (turned, driven) = (turned?, driven?);
         let connection = Connection {
             name: joint.name.clone(),
+            written: value.extent.underlining(joint.name.span()),
             kind,
             carrier: carrier.0,
             carried: body,
@@ -246,6 +247,7 @@ impl Reader<'_> {
         let zeros = self.work.graph.zeros();
         let connection = Connection {
             name: joint.name.clone(),
+            written: body.extent.underlining(joint.name.span()),
             kind,
             carrier: None,
             carried,

@@ -1,0 +1,22 @@
+use newton_euler::rigid_system;
+
+rigid_system!(Pendulum {
+    motion: planar,
+    bodies: [
+        upper {
+            mass: 1.2[kg],
+            inertia: 0.04[kg * m ^ 2],
+            points: [hinge = (-0.28, 0)[m], tip = (0.32, 0)[m]],
+        },
+        lower { mass: 0.8[kg], inertia: 0.015[kg * m ^ 2], points: [hinge = (-0.22, 0)[m]] },
+    ],
+    joints: [
+        shoulder = revolute(world(0, 0), upper.hinge),
+        elbow = revolute(upper.tip, lower.hinge),
+    ],
+    inputs: [torque[N * m]],
+    drives: [support = _.on(shoulder), motor = torque.on(elbow)],
+    outputs: [inverse],
+});
+
+fn main() {}

@@ -1,0 +1,8 @@
+use newton_euler::rigid_system;
+
+rigid_system!(Pendulum {
+    urdf: "inverse_without_drives.urdf",
+    outputs: [inverse],
+});
+
+fn main() {}

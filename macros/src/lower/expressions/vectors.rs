@@ -252,9 +252,10 @@ impl Lowering<'_> {
 
     /// Reports `v.x` of a vector whose axes are not chosen.
     fn component_without_axes(&mut self, receiver: &Expression, field: &Ident) -> Option<Value> {
-        let message = if self.motion.is_planar && field == "z" {
-            "in the plane a vector has no `z`".to_owned()
-        } else if self.motion.is_line() {
+        if self.motion.is_planar && field == "z" {
+            return self.report(field.span(), "in the plane a vector has no `z`");
+        }
+        let message = if self.motion.is_line() {
             format!("a component in which axes? write `.in_world().{field}`")
         } else {
             format!(

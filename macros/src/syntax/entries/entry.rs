@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Ident, TokenTree};
 
-use crate::errors::Errors;
+use crate::errors::{Errors, similar};
 
 use super::charges::parse_charges;
 use super::declaration::parse_declaration;
@@ -61,8 +61,10 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
             into.potentials.push(Definition { name, value });
         }
         "outputs" => {
-            // an output that does not exist yet is reported later, as an unknown output
-            if let Some(extra) = rest.first().filter(|_| name != "jacobian") {
+            // an output that does not exist is reported later, as an unknown output
+            let is_reported =
+                name == "jacobian" || similar(&name.to_string(), ["reactions"]).is_some();
+            if let Some(extra) = rest.first().filter(|_| !is_reported) {
                 errors.push(
                     start(extra),
                     format!("an output is one word: write `{name}`"),

@@ -226,8 +226,9 @@ fn is_declared(list: &str) -> bool {
 /// Whether tokens after a name make it an entry of a list without brackets.
 fn is_further(list: &str, after: &[TokenTree]) -> bool {
     match after.first() {
-        Some(sign) if is_punct(sign, '=') => true,
-        next => is_declared(list) && !next.is_some_and(|sign| is_punct(sign, ':')),
+        None => is_declared(list),
+        Some(TokenTree::Group(unit)) => is_declared(list) && unit.delimiter() == Delimiter::Bracket,
+        Some(sign) => is_punct(sign, '='),
     }
 }
 

@@ -106,8 +106,8 @@ fn one(words: &[&str]) -> Words {
 
 #[test]
 fn keys_are_known() {
-    let parse = "macros/src/syntax/entries/parse.rs";
-    let body = joined([constant(parse, "LISTS"), constant(parse, "VALUES")]);
+    let keys = "macros/src/syntax/entries/keys.rs";
+    let body = joined([constant(keys, "LISTS"), constant(keys, "VALUES")]);
     assert_eq!(schema("keys", "Body"), body);
     let system = "macros/src/syntax/system/mod.rs";
     let own = [constant(system, "LISTS"), constant(system, "OF_SYSTEMS")];

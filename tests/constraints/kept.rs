@@ -248,7 +248,8 @@ fn a_start_that_is_off_is_an_error() {
     let (wheel, mut state) = rolling(0.3, 0.4, -3.0);
     state.position.y += 0.01;
     let error = wheel.integrate(&state).to(1.0).unwrap_err();
-    let expected = "at 0 s: inconsistent start: `height` is off by 1.0000000000000009e-2 in position; `project` finds";
+    let expected =
+        "at 0 s: inconsistent start: `height` is off by 0.01 in position; `project` finds";
     assert!(error.to_string().starts_with(expected), "{error}");
 }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use newton_euler::ensemble::{Ensemble, MemberError, OneByOne};
-use newton_euler::integrate::{DormandPrince, DormandPrince8, Fixed, IntegrationError};
+use newton_euler::integrate::{DormandPrince, DormandPrince8, Fixed, IntegrationError, Setting};
 use newton_euler::prelude::*;
 
 use crate::bodies;
@@ -195,14 +195,56 @@ fn periods_that_are_none() {
         let mut ensemble = spinning();
         let mut samples = ensemble.integrate().samples(1.0, period);
         let error = samples.next().unwrap().unwrap_err().error;
-        assert!(matches!(error, IntegrationError::StepTooSmall { .. }));
+        let is_of_period = matches!(
+            error,
+            IntegrationError::InvalidSetting {
+                setting: Setting::Period,
+                ..
+            }
+        );
+        assert!(is_of_period, "{error}");
         assert!(samples.next().is_none());
         assert!(*ensemble.states() == *spinning().states());
     }
     let mut ensemble = spinning();
     let mut samples = ensemble.integrate().samples(f64::NAN, 0.1);
     let error = samples.next().unwrap().unwrap_err().error;
-    assert!(matches!(error, IntegrationError::NotFinite { .. }));
+    assert_eq!(error.to_string(), "the end is NaN s: it must be finite");
+}
+
+/// A setting that is impossible for all members is named, by whatever method they move.
+#[test]
+fn settings_that_are_none() {
+    let told = |end: Result<(), MemberError<Rotation>>| end.unwrap_err().to_string();
+    let mut ensemble = spinning();
+    assert_eq!(
+        told(ensemble.integrate().tolerance(-1.0).to(1.0)),
+        "member 0: the tolerance is -1: it must be positive"
+    );
+    assert_eq!(
+        told(ensemble.integrate().max_step(0.0).to(1.0)),
+        "member 0: the longest step is 0 s: it must be positive"
+    );
+    let (method, step) = (DormandPrince8, -0.5);
+    assert_eq!(
+        told(ensemble.integrate().method(Fixed { method, step }).to(1.0)),
+        "member 0: the step is -0.5 s: it must be positive"
+    );
+    let control = |_: f64, _: usize, _: &Rotation| bodies::TurningInput::default();
+    assert_eq!(
+        told(ensemble.integrate().control(0.0, control).to(1.0)),
+        "member 0: the period is 0 s: it must be positive"
+    );
+    let mut state = ensemble.state(4);
+    state.angular_velocity.x = f64::INFINITY;
+    ensemble.states_mut().set(4, &state);
+    for end in [
+        told(ensemble.integrate().to(1.0)),
+        told(ensemble.integrate().method(STEPS).to(1.0)),
+    ] {
+        let wanted = "member 4: a coordinate of the initial state is inf: it must be finite";
+        assert_eq!(end, wanted);
+    }
 }
 
 /// Members that do not come to the end are handed out with their index, and the others come there.

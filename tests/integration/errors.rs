@@ -147,7 +147,7 @@ fn what_is_no_number() {
         };
         assert!(matches!(
             body.integrate(&start).to(1.0),
-            Err(IntegrationError::NotFinite { time: 0.0, .. })
+            Err(IntegrationError::InvalidSetting { time: 0.0, .. })
         ));
         assert!(
             series.integrate(&start).to(1.0).is_err() && exact.integrate(&start).to(1.0).is_err()
@@ -187,6 +187,62 @@ fn what_is_no_number() {
             .to(1.0)
             .is_err()
     );
+}
+
+/// An impossible setting is told by its name, with its value and what it must be.
+#[test]
+fn settings_are_told() {
+    fn told<S>(end: Result<S, IntegrationError<S>>) -> String {
+        end.err().expect("an impossible setting").to_string()
+    }
+    let (body, series, exact) = (
+        Pendulum::default(),
+        SeriesPendulum::default(),
+        ExactPendulum::default(),
+    );
+    let positive = |what: &str| format!("the {what}: it must be positive");
+    let finite = |what: &str| format!("{what}: it must be finite");
+    assert_eq!(
+        told(body.integrate(&START).tolerance(-1.0).to(1.0)),
+        positive("tolerance is -1")
+    );
+    assert_eq!(
+        told(series.integrate(&START).tolerance(f64::NAN).to(1.0)),
+        positive("tolerance is NaN")
+    );
+    assert_eq!(
+        told(body.integrate(&START).max_step(0.0).to(1.0)),
+        positive("longest step is 0 s")
+    );
+    let sampled = body.integrate(&START).samples(1.0, -0.25).next().unwrap();
+    assert_eq!(
+        sampled.unwrap_err().to_string(),
+        positive("period is -0.25 s")
+    );
+    let (cart, rest) = (Cart::default(), Translation::default());
+    let control = |_: f64, _: &Translation| CartInput::default();
+    let motion = cart.integrate(&rest).starting_at(1.0);
+    assert_eq!(
+        told(motion.control(-0.1, control).to(2.0)),
+        positive("period is -0.1 s")
+    );
+    assert_eq!(
+        told(body.integrate(&START).to(f64::NAN)),
+        finite("the end is NaN s")
+    );
+    let late = exact.integrate(&START).starting_at(f64::INFINITY);
+    assert_eq!(told(late.to(1.0)), finite("the start is inf s"));
+    let thrown = Hinge {
+        angular_velocity: f64::NAN,
+        ..START
+    };
+    for end in [
+        told(body.integrate(&thrown).to(1.0)),
+        told(series.integrate(&thrown).to(1.0)),
+        told(exact.integrate(&thrown).to(1.0)),
+    ] {
+        assert_eq!(end, finite("a coordinate of the initial state is NaN"));
+    }
 }
 
 /// A tolerance finer than any rounding ends too, and a start that is no time is an error.

@@ -52,7 +52,7 @@ fn at_the_start() {
     let said = end.as_ref().unwrap_err().to_string();
     assert_eq!(
         said,
-        "the motion is not finite after 0 s: `drag` is not a number"
+        "the motion is not finite after 0 s: `drag` is not finite"
     );
     assert_eq!(blamed(end), (0.0, Some("drag")));
     let fixed = Fixed {

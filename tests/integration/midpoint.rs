@@ -122,5 +122,8 @@ fn too_long_a_step() {
         step: 0.1,
     };
     let ended = top.integrate(&nowhere).method(method).to(1.0);
-    assert!(matches!(ended, Err(IntegrationError::NotFinite { .. })));
+    assert!(matches!(
+        ended,
+        Err(IntegrationError::InvalidSetting { .. })
+    ));
 }

@@ -3,7 +3,8 @@
 
 use newton_euler::ensemble::Ensemble;
 use newton_euler::integrate::{
-    Classical4, DormandPrince8, Fixed, IntegrationError, Switches, Tsitouras5, Verner9, next_switch,
+    Classical4, DormandPrince8, Fixed, IntegrationError, Setting, Switches, Tsitouras5, Verner9,
+    next_switch,
 };
 use newton_euler::{integrate, nalgebra, prelude::*};
 
@@ -367,7 +368,11 @@ fn steps_that_are_none_are_errors() {
     for max_step in [0.0, -1.0, f64::NAN, 1e-30, f64::NEG_INFINITY] {
         let bell = Bell::default();
         let motion = || bell.integrate(&rest()).starting_at(1.0).max_step(max_step);
-        let is_error = |end| matches!(end, Err(IntegrationError::StepTooSmall { .. }));
+        let is_error = |end: Result<_, IntegrationError<_>>| match end.unwrap_err() {
+            IntegrationError::StepTooSmall { .. } => max_step > 0.0,
+            IntegrationError::InvalidSetting { setting, .. } => setting == Setting::MaxStep,
+            _ => false,
+        };
         assert!(is_error(motion().to(2.0)), "{max_step}");
         assert!(is_error(
             motion()

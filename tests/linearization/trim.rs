@@ -147,7 +147,7 @@ fn what_is_missing_is_told() {
     let text = error.to_string();
     assert!(
         text.starts_with(
-            "not steady: `velocity_z` is off by -9.80665e0; free also some of `thrust"
+            "not steady: `velocity_z` is off by -9.80665 (SI units); free also some of `thrust"
         ),
         "{text}"
     );

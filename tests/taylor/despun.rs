@@ -285,7 +285,7 @@ fn errors_tell_the_state_of_the_body() {
     while motion.step_towards(1.0, &(), 1e-12).unwrap().is_some() {}
     let here = motion.state();
     let error = motion.step_towards(2.0, &(), 0.0).unwrap_err();
-    let IntegrationError::StepTooSmall { time, state, .. } = error else {
+    let IntegrationError::InvalidSetting { time, state, .. } = error else {
         panic!("{error:?}")
     };
     assert_eq!((time, state), (1.0, here));

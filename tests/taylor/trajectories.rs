@@ -1,7 +1,7 @@
 //! Final states, compared with 40-digit trajectories at several tolerances; reversal, energy, loads
 //! that depend on time and inputs, and what ends an integration.
 
-use newton_euler::integrate::{IntegrationError, Motion, taylor, taylor_step};
+use newton_euler::integrate::{IntegrationError, Motion, Setting, taylor, taylor_step};
 use newton_euler::prelude::*;
 
 use crate::reference::{attitude, distance, number, trajectory, vector};
@@ -214,10 +214,10 @@ fn what_is_no_number_ends_the_motion() {
     };
     let error = taylor(&scenes::Falling::default(), &start, &(), 0.5..2.0, 1e-9).unwrap_err();
     assert!(
-        matches!(error, IntegrationError::NotFinite { time: 0.5, .. }),
+        matches!(error, IntegrationError::InvalidSetting { time: 0.5, .. }),
         "{error:?}"
     );
-    let message = "the motion is not finite after 0.5 s: `drawn` is not a number";
+    let message = "a coordinate of the initial state is NaN: it must be finite";
     assert_eq!(error.to_string(), message);
     // at the center the force is 0/0
     let center = Translation::default();
@@ -246,9 +246,10 @@ fn a_tolerance_below_rounding() {
     assert!(
         matches!(
             error,
-            IntegrationError::StepTooSmall {
+            IntegrationError::InvalidSetting {
+                setting: Setting::Tolerance,
                 time: 1.0,
-                step: 0.0,
+                value: 0.0,
                 ..
             }
         ),

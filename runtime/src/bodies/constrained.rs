@@ -14,6 +14,7 @@
 use core::fmt;
 
 use crate::bodies::body::RigidBody;
+use crate::numbers::brief::Brief;
 
 /// A body whose motion is under constraints.
 pub trait Constrained: RigidBody {
@@ -118,12 +119,14 @@ impl fmt::Display for Inconsistent {
         if *is_start {
             write!(
                 f,
-                "inconsistent start: `{constraint}` is off by {violation:e} in {what}; `project` finds the nearest state that meets it"
+                "inconsistent start: `{constraint}` is off by {} in {what}; `project` finds the nearest state that meets it",
+                Brief(*violation)
             )
         } else {
             write!(
                 f,
-                "inconsistent state: `{constraint}` is violated by {violation:e} in {what}, and no state near by meets it"
+                "inconsistent state: `{constraint}` is violated by {} in {what}, and no state near by meets it",
+                Brief(*violation)
             )
         }
     }

@@ -14,7 +14,7 @@ use super::{Blocks, Ensemble};
 use crate::bodies::columns::Generic;
 #[cfg(feature = "progress")]
 use crate::integrate::Bar;
-use crate::integrate::{Instants, IntegrationError, Sample, Sampled};
+use crate::integrate::{Instants, IntegrationError, Sample, Sampled, Setting};
 
 /// The inputs of the members over time: [`AsGiven`], or a function called at equal intervals, by
 /// [`EnsembleIntegration::control`](super::EnsembleIntegration::control).
@@ -22,6 +22,11 @@ pub trait EnsembleControl<B: Generic> {
     /// Sets the inputs that act from a time \[s\] on, and returns the time until which they are
     /// held: towards `end`, or beyond.
     fn set(&mut self, ensemble: &mut Ensemble<B>, time: f64, end: f64) -> f64;
+
+    /// The interval between inputs \[s\], if they are equal.
+    fn period(&self) -> Option<f64> {
+        None
+    }
 }
 
 /// The current inputs of the members.
@@ -42,6 +47,10 @@ impl<B: Generic, F: FnMut(f64, usize, &B::State) -> B::Input> EnsembleControl<B>
             ensemble.members.inputs.set(index, &input);
         }
         until
+    }
+
+    fn period(&self) -> Option<f64> {
+        Some(self.period)
     }
 }
 
@@ -96,8 +105,8 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
             return Ok(());
         }
         if !(self.time.is_finite() && time.is_finite()) {
-            let time = self.time;
-            return Err(self.ended(|state| IntegrationError::not_finite(time, state)));
+            let start = self.time;
+            return Err(self.ended(|state| IntegrationError::endless(start..time, state)));
         }
         while self.time != time {
             let forwards = time > self.time;
@@ -105,12 +114,12 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
             if self.time == self.held_until {
                 let until = self.control.set(self.ensemble, self.time, self.end);
                 if !is_ahead(until, self.time) {
-                    let (time, step) = (self.time, until - self.time);
-                    return Err(self.ended(|state| IntegrationError::StepTooSmall {
-                        time,
-                        state,
-                        step,
-                    }));
+                    let time = self.time;
+                    let period = self.control.period().unwrap_or(until - time);
+                    let setting = (Setting::Period, period);
+                    return Err(
+                        self.ended(|state| IntegrationError::too_small(setting, time, state))
+                    );
                 }
                 (self.held_until, self.limits.given) = (until, self.time);
             }

@@ -49,6 +49,7 @@ pub use steps::equations::Equations;
 pub use steps::error::IntegrationError;
 pub use steps::event::Event;
 pub use steps::method::{Method, Run, Tolerant};
+pub use steps::setting::Setting;
 pub use steps::step::Step;
 pub use steps::stretch::next_switch;
 

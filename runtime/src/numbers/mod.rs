@@ -1,5 +1,6 @@
 //! Numbers: scalars, and computations that do not depend on their meaning.
 
+pub(crate) mod brief;
 pub(crate) mod count;
 #[cfg(feature = "ensemble")]
 pub mod lanes;

@@ -79,7 +79,8 @@ fn stream<B: Generic, A: Adaptive + Method<B>>(
     let count = ensemble.len();
     let left: Vec<_> = (0..count).map(|_| AtomicBool::new(false)).collect();
     let done = Done::of(count, observer);
-    if times.start.is_finite() && times.end.is_finite() {
+    // what is impossible for all is reported by each alone
+    if times.start.is_finite() && times.end.is_finite() && method.tolerance() > 0.0 {
         let columns = <B::State as Columns<f64>>::COUNT;
         let (members, width) = (&ensemble.members, ensemble.width);
         in_chunks(ensemble.states.rows_mut(), columns, |first, rows| {

@@ -13,7 +13,7 @@ use crate::ensemble::blocks::{BLOCK, Blocks, Eight, GroupMut};
 use crate::ensemble::evaluate::{in_chunks, read};
 use crate::ensemble::plan::{Limits, Plan};
 use crate::ensemble::{Ensemble, Members};
-use crate::integrate::{Equations, Fixed, IntegrationError, RungeKutta, add};
+use crate::integrate::{Equations, Fixed, IntegrationError, RungeKutta, Setting, add};
 use crate::numbers::count::real;
 use crate::numbers::lanes::{Lanes, Register, Width, Work};
 use crate::state::Coordinates;
@@ -41,30 +41,31 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
         }
         let (time, end) = (times.start, times.end);
         let before = ensemble.states.clone();
-        let failed = |members: &Members<B>, index: usize, step: Option<f64>| {
+        let failed = |members: &Members<B>, index: usize, setting: Option<(Setting, f64)>| {
             let state = before.get(index);
-            let error = match step {
-                Some(step) => IntegrationError::StepTooSmall { time, state, step },
-                None => IntegrationError::not_finite(time, state),
+            let error = match setting {
+                Some(setting) => IntegrationError::too_small(setting, time, state),
+                None => IntegrationError::lost(time, state),
             };
             let (body, input) = (members.body(index), members.inputs.get(index));
             let error = error.named(&body, &input, end >= time);
             MemberError { index, error }
         };
-        let none_moves = |members: &Members<B>, step: Option<f64>| {
+        let none_moves = |members: &Members<B>, setting: (Setting, f64)| {
             let all = 0..before.len();
-            all.map(|index| failed(members, index, step)).collect()
+            all.map(|index| failed(members, index, Some(setting)))
+                .collect()
         };
         let is_there = end - time == 0.0;
         if before.is_empty() || is_there {
             return Vec::new();
         }
         let Some(steps) = self.count(end - time) else {
-            return none_moves(&ensemble.members, end.is_finite().then_some(self.step));
+            return none_moves(&ensemble.members, (Setting::Step, self.step));
         };
         let pace = limits.pace();
         if pace.limit(time, end).is_none() || pace.limit(end, time).is_none() {
-            return none_moves(&ensemble.members, Some(limits.max_step));
+            return none_moves(&ensemble.members, (Setting::MaxStep, limits.max_step));
         }
         let done = Done::of(before.len(), observer);
         let plan = Plan {

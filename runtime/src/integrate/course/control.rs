@@ -10,6 +10,11 @@ pub trait Control<S, I> {
     /// The input from a time \[s\] and state on, and the time until which it is held: towards
     /// `end`, or beyond.
     fn input(&mut self, time: f64, state: &S, end: f64) -> (I, f64);
+
+    /// The interval between inputs \[s\], if they are equal.
+    fn period(&self) -> Option<f64> {
+        None
+    }
 }
 
 /// One input, held from the start to the end.
@@ -31,7 +36,7 @@ impl<S, I: Default> Control<S, I> for Held<I> {
 pub struct Sampled<F> {
     function: F,
     /// The interval between calls \[s\].
-    period: f64,
+    pub(crate) period: f64,
     /// The first instant, and the number of instants so far.
     start: f64,
     count: usize,
@@ -63,5 +68,9 @@ impl<S, I, F: FnMut(f64, &S) -> I> Control<S, I> for Sampled<F> {
     fn input(&mut self, time: f64, state: &S, end: f64) -> (I, f64) {
         let (function, until) = self.next(time, end);
         (function(time, state), until)
+    }
+
+    fn period(&self) -> Option<f64> {
+        Some(self.period)
     }
 }

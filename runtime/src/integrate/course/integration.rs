@@ -176,8 +176,8 @@ where
     /// Limits the length of steps \[s\], for short events that a longer step could miss.
     ///
     /// # Errors
-    /// [`IntegrationError::StepTooSmall`] by the integration, if the limit is not positive, or is
-    /// lost in the rounding of time.
+    /// By the integration: [`IntegrationError::InvalidSetting`] if the limit is not positive,
+    /// [`IntegrationError::StepTooSmall`] if it is lost in the rounding of time.
     pub fn max_step(self, max_step: f64) -> Self {
         let Pace { breaks, .. } = self.pace;
         Self {

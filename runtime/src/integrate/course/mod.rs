@@ -6,6 +6,8 @@ use crate::bodies::body::RigidBody;
 use crate::bodies::switches::Stretch;
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run};
+use crate::integrate::steps::setting::Setting;
+
 pub mod control;
 pub mod instants;
 pub mod integration;
@@ -127,7 +129,7 @@ where
         let time = self.run.time();
         if !(time.is_finite() && self.end.is_finite()) {
             let state = self.run.state();
-            return Err(IntegrationError::not_finite(time, state));
+            return Err(IntegrationError::endless(time..self.end, state));
         }
         let is_given = time == self.held_until;
         if is_given {
@@ -136,8 +138,9 @@ where
             (self.input, self.held_until) = (input, until);
             self.run.renew();
             if !self.is_before(until) {
-                let step = until - time;
-                return Err(IntegrationError::StepTooSmall { time, state, step });
+                let period = self.control.period().unwrap_or(until - time);
+                let setting = (Setting::Period, period);
+                return Err(IntegrationError::too_small(setting, time, state));
             }
         }
         if is_given || !self.is_before(self.stretch.next) {
@@ -153,8 +156,8 @@ where
         }
         let limit = self.nearer(self.nearer(self.held_until, self.end), self.stretch.next);
         self.pace.limit(time, limit).ok_or_else(|| {
-            let (state, step) = (self.run.state(), self.pace.max_step);
-            IntegrationError::StepTooSmall { time, state, step }
+            let setting = (Setting::MaxStep, self.pace.max_step);
+            IntegrationError::too_small(setting, time, self.run.state())
         })
     }
 

@@ -12,6 +12,7 @@ use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::lengths::{Lengths, combined, shrunk};
 use crate::integrate::steps::method::{Method, Run, Tolerant};
 use crate::integrate::steps::point::Point;
+use crate::integrate::steps::setting::Setting;
 use crate::integrate::steps::size::{finest, relative_size, root};
 use crate::integrate::steps::stretch::Within;
 use crate::numbers::scalar::{Scalar, number};
@@ -93,6 +94,8 @@ adaptive!(Verner by Verner9);
 /// A motion in steps as long as its tolerance permits.
 pub struct AdaptiveRun<'b, B: RigidBody<Scalar = f64, State: Coordinates>, P = DormandPrince8> {
     within: Within<'b, B>,
+    /// The tolerance, as given and as used.
+    given: f64,
     tolerance: f64,
     now: Point<B::State>,
     /// The start of the last step.
@@ -108,6 +111,7 @@ impl<'b, B: RigidBody<Scalar = f64, State: Coordinates>, P> AdaptiveRun<'b, B, P
         let now = Point::new(time, state);
         Self {
             within: Within::new(body, time),
+            given: tolerance,
             tolerance: finest(tolerance),
             before: (time, now.coordinates),
             now,
@@ -159,6 +163,10 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>, P: Embedded> Run<B> for Ada
         }
         self.before = (self.now.time, self.now.coordinates);
         let (time, rest) = (self.now.time, self.now.rest(end));
+        if self.lengths.is_none() && self.tolerance == 0.0 {
+            let setting = (Setting::Tolerance, self.given);
+            return Err(IntegrationError::too_small(setting, time, self.now.state()));
+        }
         let lengths = self.lengths.get_or_insert_with(|| {
             let coordinates = &self.now.coordinates;
             let step = first::<P, _, _>(&equations, time, coordinates, rest, self.tolerance);

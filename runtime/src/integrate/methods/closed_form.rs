@@ -108,7 +108,7 @@ impl<B: Flow<Scalar = f64, State: Coordinates>> Run<B> for PathRun<'_, B> {
         let state = self.path.at(time - self.start.0);
         if !state.coordinates().as_ref().iter().sum::<f64>().is_finite() {
             let (time, state) = (self.time, self.state());
-            return Err(IntegrationError::not_finite(time, state));
+            return Err(IntegrationError::lost(time, state));
         }
         self.time = time;
         Ok(())

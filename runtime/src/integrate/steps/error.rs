@@ -3,16 +3,28 @@
 use core::fmt;
 use core::ops::Range;
 
+use super::setting::Setting;
 use crate::bodies::body::{InvalidBody, RigidBody};
 use crate::bodies::constrained::Inconsistent;
-use crate::state::State;
+use crate::numbers::brief::Brief;
+use crate::state::{Coordinates, State};
 
 /// The error of an integration, with the last good state and its time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum IntegrationError<S> {
-    /// The motion is not finite from here on: a force grows without bound or has no value, or start
-    /// or end are not finite.
+    /// A number that the integration was given is impossible.
+    InvalidSetting {
+        /// \[s\]
+        time: f64,
+        /// The state at that time; the first, if the motion did not begin.
+        state: S,
+        /// The number, and what it must be.
+        setting: Setting,
+        /// Its value, in the unit of the setting.
+        value: f64,
+    },
+    /// The motion is not finite from here on: a force grows without bound or has no value.
     NotFinite {
         /// \[s\]
         time: f64,
@@ -22,11 +34,10 @@ pub enum IntegrationError<S> {
         /// [`RigidBody::lost_load`].
         load: Option<&'static str>,
     },
-    /// The step is lost in the rounding of time, or is NaN: a singularity is near, the tolerance is
-    /// below the precision of doubles, or a given step or period is not positive. Or steps are so
-    /// short that the motion does not end: the equations jump, and drive the motion back from both
-    /// sides of the jump, as friction along `velocity.normalize()` does where a point comes to
-    /// rest.
+    /// The step, or a given period, is lost in the rounding of time: a singularity is near, or the
+    /// tolerance is below the precision of doubles. Or steps are so short that the motion does not
+    /// end: the equations jump, and drive the motion back from both sides of the jump, as friction
+    /// along `velocity.normalize()` does where a point comes to rest.
     StepTooSmall {
         /// \[s\]
         time: f64,
@@ -88,12 +99,41 @@ impl<S> IntegrationError<S> {
     /// The number of instants at this period between these times is not representable; the state is
     /// that at the first.
     pub(crate) fn uncountable(period: f64, times: Range<f64>, state: S) -> Self {
+        if times.start.is_finite() && times.end.is_finite() {
+            Self::too_small((Setting::Period, period), times.start, state)
+        } else {
+            Self::endless(times, state)
+        }
+    }
+
+    /// The start or the end is not finite.
+    pub(crate) fn endless(times: Range<f64>, state: S) -> Self {
         let Range { start: time, end } = times;
-        if time.is_finite() && end.is_finite() {
-            let step = period;
+        let (setting, value) = if time.is_finite() {
+            (Setting::End, end)
+        } else {
+            (Setting::Start, time)
+        };
+        Self::InvalidSetting {
+            time,
+            state,
+            setting,
+            value,
+        }
+    }
+
+    /// The setting is not positive, or gives steps that are too small.
+    pub(crate) fn too_small((setting, value): (Setting, f64), time: f64, state: S) -> Self {
+        if value > 0.0 {
+            let step = value;
             Self::StepTooSmall { time, state, step }
         } else {
-            Self::not_finite(time, state)
+            Self::InvalidSetting {
+                time,
+                state,
+                setting,
+                value,
+            }
         }
     }
 
@@ -106,7 +146,8 @@ impl<S> IntegrationError<S> {
     #[must_use]
     pub fn time(&self) -> f64 {
         match self {
-            Self::NotFinite { time, .. }
+            Self::InvalidSetting { time, .. }
+            | Self::NotFinite { time, .. }
             | Self::StepTooSmall { time, .. }
             | Self::StepTooLong { time, .. }
             | Self::InvalidBody { time, .. }
@@ -120,7 +161,8 @@ impl<S> IntegrationError<S> {
     #[must_use]
     pub fn state(&self) -> &S {
         match self {
-            Self::NotFinite { state, .. }
+            Self::InvalidSetting { state, .. }
+            | Self::NotFinite { state, .. }
             | Self::StepTooSmall { state, .. }
             | Self::StepTooLong { state, .. }
             | Self::InvalidBody { state, .. }
@@ -134,17 +176,26 @@ impl<S> IntegrationError<S> {
 impl<S> fmt::Display for IntegrationError<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::InvalidSetting { setting, value, .. } => write!(
+                f,
+                "{setting} is {}{}: it must be {}",
+                Brief(*value),
+                setting.unit(),
+                setting.must_be()
+            ),
             Self::NotFinite { time, load, .. } => {
                 write!(f, "the motion is not finite after {time} s")?;
-                load.map_or(Ok(()), |load| write!(f, ": `{load}` is not a number"))
+                load.map_or(Ok(()), |load| write!(f, ": `{load}` is not finite"))
             }
             Self::StepTooSmall { time, step, .. } => write!(
                 f,
-                "at {time} s the step or period is {step:e} s, which is not positive, lost in rounding, or too short to come to an end"
+                "at {time} s the step is {} s, which is lost in rounding, or too short to come to an end",
+                Brief(*step)
             ),
             Self::StepTooLong { time, step, .. } => write!(
                 f,
-                "at {time} s a step of {step:e} s is too long: its equations are not solved, take shorter ones"
+                "at {time} s a step of {} s is too long: its equations are not solved, take shorter ones",
+                Brief(*step)
             ),
             Self::InvalidBody { time, invalid, .. } => write!(f, "after {time} s: {invalid}"),
             Self::Inconsistent { time, violated, .. } => write!(f, "at {time} s: {violated}"),
@@ -157,6 +208,24 @@ impl<S> fmt::Display for IntegrationError<S> {
             Self::EventNotANumber { time, .. } => {
                 write!(f, "at {time} s the function of the events is not a number")
             }
+        }
+    }
+}
+
+impl<S: Coordinates<Scalar = f64>> IntegrationError<S> {
+    /// The motion from this state is not finite, or the state itself is not.
+    #[cold]
+    pub(crate) fn lost(time: f64, state: S) -> Self {
+        let coordinates = state.coordinates();
+        let invalid = coordinates.as_ref().iter().find(|one| !one.is_finite());
+        match invalid {
+            Some(&value) => Self::InvalidSetting {
+                time,
+                state,
+                setting: Setting::InitialState,
+                value,
+            },
+            None => Self::not_finite(time, state),
         }
     }
 }

@@ -10,6 +10,7 @@ pub mod instructions;
 pub mod lengths;
 pub mod method;
 pub mod point;
+pub mod setting;
 pub mod size;
 pub mod step;
 pub mod stretch;

@@ -106,7 +106,7 @@ impl<S: Coordinates<Scalar = f64>> Point<S> {
     }
 
     pub(in crate::integrate) fn not_finite(&self) -> IntegrationError<S> {
-        IntegrationError::not_finite(self.time, self.state())
+        IntegrationError::lost(self.time, self.state())
     }
 
     pub(in crate::integrate) fn step_too_small(&self, step: f64) -> IntegrationError<S> {

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::numbers::brief::Brief;
+
 /// The number of worst entries that are kept, so that the error stays small.
 pub const FEW: usize = 3;
 
@@ -73,7 +75,7 @@ impl fmt::Display for TrimError {
             ),
             Self::TooMany => f.write_str("there are more constraints and conditions than can be met"),
             Self::NotFinite { load } => {
-                f.write_str("the acceleration is not a number at the start")?;
+                f.write_str("the acceleration is not finite at the start")?;
                 load.map_or(Ok(()), |load| write!(f, ": `{load}`"))
             }
             Self::Unbalanced { residual, held } => {
@@ -87,7 +89,7 @@ impl fmt::Display for TrimError {
                     }
                 }
                 if held[0].is_none() {
-                    f.write_str("; to first order, nothing changes that")?;
+                    f.write_str("; nothing that is free or held reduces that, to first order")?;
                 }
                 Ok(())
             }
@@ -112,7 +114,10 @@ impl fmt::Display for TrimError {
 fn left_over(f: &mut fmt::Formatter<'_>, residual: &[Option<Off>]) -> fmt::Result {
     for (number, off) in residual.iter().flatten().enumerate() {
         let before = if number == 0 { ":" } else { "," };
-        write!(f, "{before} `{}` is off by {:e}", off.name, off.by)?;
+        write!(f, "{before} `{}` is off by {}", off.name, Brief(off.by))?;
+    }
+    if residual[0].is_some() {
+        f.write_str(" (SI units)")?;
     }
     Ok(())
 }

@@ -40,8 +40,7 @@ pub fn taylor<B: Taylor>(
     tolerance: f64,
 ) -> Result<B::State, IntegrationError<B::State>> {
     if !(times.start.is_finite() && times.end.is_finite()) {
-        let (time, state) = (times.start, state.clone());
-        return Err(IntegrationError::not_finite(time, state));
+        return Err(IntegrationError::endless(times, state.clone()));
     }
     let mut run = TaylorSeries { tolerance }.start(body, times.start, state);
     let reached = run.seek(times.end, times.end, input);

@@ -2,6 +2,7 @@
 
 use super::Motion;
 use crate::integrate::steps::error::IntegrationError;
+use crate::integrate::steps::setting::Setting;
 use crate::integrate::steps::size::finest;
 use crate::integrate::steps::step::Step;
 use crate::taylor::{Taylor, increment};
@@ -41,10 +42,13 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
             return Ok(None);
         }
         if rest.is_nan() {
-            let (time, state) = (self.now.time, self.state());
-            return Err(IntegrationError::not_finite(time, state));
+            return Err(IntegrationError::endless(self.now.time..end, self.state()));
         }
-        let (time, tolerance) = (self.now.time, finest(tolerance));
+        let (time, given, tolerance) = (self.now.time, tolerance, finest(tolerance));
+        if tolerance == 0.0 {
+            let setting = (Setting::Tolerance, given);
+            return Err(IntegrationError::too_small(setting, time, self.state()));
+        }
         self.look(rest, input, tolerance)?;
         self.expand(input);
         let until = end;
@@ -104,6 +108,6 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
             return Ok(());
         }
         let (time, state) = (self.now.time, self.state());
-        Err(IntegrationError::not_finite(time, state))
+        Err(IntegrationError::lost(time, state))
     }
 }

@@ -37,7 +37,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
                 return passed.flatten().ok_or_else(|| {
                     let state = self.state();
                     if step.is_nan() {
-                        IntegrationError::not_finite(time, state)
+                        IntegrationError::lost(time, state)
                     } else {
                         IntegrationError::StepTooSmall { time, state, step }
                     }

@@ -169,6 +169,12 @@ fn parameters_and_inputs_are_written() {
     );
     let cart: CartParams = serde_json::from_value(json!({ "load": 4.0 })).expect("a number");
     assert_eq!(cart.load, 4.0);
+    // a parameter that is missing has the default of the description, if there is one
+    let read: TugParams<f32> = serde_json::from_value(json!({ "share": 1 })).expect("two defaults");
+    assert_eq!((read.length, read.drag, read.share), (2.0, 0.5, 1.0));
+    let missing = serde_json::from_value::<TugParams<f64>>(json!({ "length": 3 }));
+    let missing = missing.expect_err("it has no default").to_string();
+    assert_eq!(missing, "missing field `share`");
     let missing = serde_json::from_value::<CartInput>(json!({})).expect_err("it is missing");
     assert_eq!(missing.to_string(), "missing field `push`");
 }

@@ -1,6 +1,7 @@
 //! Structs of declared quantities: parameters and inputs.
 
-/// Gives the fields of a struct names and units, and serialization with the feature `serde`.
+/// Gives the fields of a struct names and units, and serialization with the feature `serde`. A field
+/// with a default may be missing where fields are read by name.
 ///
 /// ```
 /// use newton_euler::{columns::Named, prelude::*};
@@ -19,7 +20,7 @@
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __record {
-    ($name:ident $(<$generic:ident>)? { $($unit:literal $field:ident: $kind:ty),+ $(,)? }) => {
+    ($name:ident $(<$generic:ident>)? { $($unit:literal $field:ident: $kind:ty $(= $default:expr)?),+ $(,)? }) => {
         impl<$($generic: $crate::private::Scalar)?> $crate::private::Named for $name<$($generic)?> {
             const NAMES: $crate::private::Names = $crate::private::Names::Parts(&[$((
                 ::core::stringify!($field),
@@ -27,6 +28,6 @@ macro_rules! __record {
             )),+]);
         }
 
-        $crate::private::written! { [$($generic)?] $name $($field $kind,)+ }
+        $crate::private::written! { [$($generic)?] $name $($field $kind $(= $default)?,)+ }
     };
 }

@@ -36,7 +36,7 @@ mod equations_of_Glider {
         pub drag: f64,
     }
     ::newton_euler::private::record! {
-        GliderParams { "N * m * s ^ 2" drag : f64 }
+        GliderParams { "N * m * s ^ 2" drag : f64 = 0.02 }
     }
     impl Glider {
         /// The equations of motion, as evaluated.

@@ -32,7 +32,8 @@ mod equations_of_Gyroscope {
         pub across: f64,
     }
     ::newton_euler::private::record! {
-        GyroscopeParams { "kg * m ^ 2" rotor : f64, "kg * m ^ 2" across : f64 }
+        GyroscopeParams { "kg * m ^ 2" rotor : f64 = 0.0005, "kg * m ^ 2" across : f64 =
+        0.0004 }
     }
     impl Gyroscope {
         /// The equations of motion, as evaluated.

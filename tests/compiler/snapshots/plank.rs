@@ -30,7 +30,7 @@ mod equations_of_Plank {
         pub length: f64,
     }
     ::newton_euler::private::record! {
-        PlankParams { "m" length : f64 }
+        PlankParams { "m" length : f64 = 2.0 }
     }
     impl Plank {
         /// The equations of motion, as evaluated.

@@ -32,7 +32,7 @@ mod equations_of_Quadrotor {
         pub drag_ratio: f64,
     }
     ::newton_euler::private::record! {
-        QuadrotorParams { "m" arm : f64, "m" drag_ratio : f64 }
+        QuadrotorParams { "m" arm : f64 = 0.17, "m" drag_ratio : f64 = 0.016 }
     }
     /// Inputs of [`Quadrotor`] at each evaluation, in SI units.
     #[allow(clippy::struct_field_names)]

@@ -30,7 +30,8 @@ mod equations_of_Top {
         pub length: T,
     }
     ::newton_euler::private::record! {
-        TopParams < T > { "m" length : T }
+        TopParams < T > { "m" length : T = < T as ::core::default::Default > ::default()
+        .constant(0.1, 0.1) }
     }
     impl<T: ::newton_euler::private::Scalar> Top<T> {
         /// The equations of motion, as evaluated.

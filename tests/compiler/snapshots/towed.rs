@@ -31,7 +31,7 @@ mod equations_of_Towed {
         pub pull: f64,
     }
     ::newton_euler::private::record! {
-        TowedParams { "N" pull : f64 }
+        TowedParams { "N" pull : f64 = 40.0 }
     }
     impl Towed {
         /// The equations of motion, as evaluated.

@@ -48,6 +48,7 @@ fn open_fields(outline: &Outline, open: &[(Ident, LoadKind)]) -> Vec<Field> {
             doc: format!(" `{name}` in {unit}."),
             kind,
             unit: None,
+            default: None,
         }
     });
     fields.collect()

@@ -22,6 +22,8 @@ pub struct Field {
     pub kind: TokenStream,
     /// Its unit, if it is a declared quantity.
     pub unit: Option<String>,
+    /// Its value if it is missing where the struct is read.
+    pub default: Option<TokenStream>,
 }
 
 impl Field {
@@ -32,6 +34,7 @@ impl Field {
             doc: format!(" `{name}`"),
             kind,
             unit: None,
+            default: None,
         }
     }
 }
@@ -66,14 +69,15 @@ impl Record {
         }
     }
 
-    /// `record! { BodyParams { "m" length: f64, .. } }`, for declared quantities. The runtime's
+    /// `record! { BodyParams { "m" length: f64 = 2.0, .. } }`, for declared quantities. The runtime's
     /// macro gives the fields names, and serialization if that feature is on. `None` for a struct
     /// without fields.
     fn written(&self, outline: &Outline) -> Option<TokenStream> {
         let (name, private, scalar) = (self.name(outline), private(outline), &outline.scalar);
         let fields = self.fields.iter().map(|field| {
             let (name, kind, unit) = (&field.name, &field.kind, field.unit.as_ref()?);
-            Some(quote!(#unit #name: #kind))
+            let default = field.default.iter();
+            Some(quote!(#unit #name: #kind #(= #default)*))
         });
         let fields = fields.collect::<Option<Vec<_>>>()?;
         if fields.is_empty() {

@@ -22,6 +22,7 @@ fn declared_fields(outline: &Outline, declared: &[Declared]) -> Vec<Field> {
             Some(_) => shapes.vector_type(),
         },
         unit: Some(declared.plain_unit()),
+        default: default_value(outline, declared),
     });
     fields.collect()
 }

@@ -99,11 +99,12 @@ impl Visitor<'_> for Name {
 }
 
 /// Serializes and reads a struct with these fields. Each field refuses its invalid values; a check
-/// after the name, if there is one, refuses invalid combinations.
+/// after the name, if there is one, refuses invalid combinations. A field with a default may be
+/// missing where fields are read by name.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __written {
-    ([$($generic:ident)?] $name:ident $(($check:path))? $($field:ident $part:ty,)+) => {
+    ([$($generic:ident)?] $name:ident $(($check:path))? $($field:ident $part:ty $(= $default:expr)?,)+) => {
         impl<$($generic: $crate::private::Scalar + $crate::private::serde::Serialize)?>
             $crate::private::serde::Serialize for $name<$($generic)?>
         {
@@ -125,6 +126,7 @@ macro_rules! __written {
             }
         }
 
+        #[allow(clippy::approx_constant)]
         const _: () = {
             // what has been read
             #[allow(non_snake_case, clippy::struct_field_names)]
@@ -195,7 +197,8 @@ macro_rules! __written {
                     }
                     let read = $name {
                         $($field: $crate::private::system::found(
-                            self.$field,
+                            self.$field
+                                $(.or(::core::option::Option::Some($default)))?,
                             const {
                                 $crate::private::bare(::core::stringify!($field))
                             },

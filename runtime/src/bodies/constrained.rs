@@ -81,7 +81,7 @@ pub struct Violation {
 }
 
 /// A state that violates its constraints: a start, or a state that projection cannot correct.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Inconsistent {
     /// The constraint of the largest violation.
     pub constraint: &'static str,
@@ -129,6 +129,13 @@ impl fmt::Display for Inconsistent {
                 Brief(*violation)
             )
         }
+    }
+}
+
+/// The sentence of `Display`: a program prints it if its `main` returns the error.
+impl fmt::Debug for Inconsistent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

@@ -5,7 +5,7 @@ use core::fmt;
 use crate::mechanics::inertia::InvalidInertia;
 
 /// Why a body cannot be built from these parameters.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum InvalidBody {
     /// A parameter is infinite or NaN.
@@ -115,6 +115,13 @@ impl fmt::Display for InvalidBody {
                 }
             },
         }
+    }
+}
+
+/// The sentence of `Display`: a program prints it if its `main` returns the error.
+impl fmt::Debug for InvalidBody {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

@@ -18,7 +18,7 @@ use core::fmt;
 ///      nothing but rounding of terms of size 0.8",
 /// );
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Singular {
     /// The unknown that is not determined.
     pub unknown: &'static str,
@@ -46,6 +46,13 @@ impl fmt::Display for Singular {
             f,
             "singular configuration: the divisor of `{unknown}` is {value:e}, nothing but rounding of terms of size {scale}"
         )
+    }
+}
+
+/// The sentence of `Display`: a program prints it if its `main` returns the error.
+impl fmt::Debug for Singular {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

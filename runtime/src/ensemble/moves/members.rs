@@ -16,7 +16,7 @@ use crate::integrate::IntegrationError;
 use crate::numbers::count::real;
 
 /// A member whose motion ended early.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct MemberError<S> {
     /// The index of the member, from zero.
     pub index: usize,
@@ -30,7 +30,14 @@ impl<S> fmt::Display for MemberError<S> {
     }
 }
 
-impl<S: fmt::Debug + 'static> core::error::Error for MemberError<S> {
+/// The sentence of `Display`: a program prints it if its `main` returns the error.
+impl<S> fmt::Debug for MemberError<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl<S: 'static> core::error::Error for MemberError<S> {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         Some(&self.error)
     }

@@ -10,7 +10,7 @@ use crate::numbers::brief::Brief;
 use crate::state::{Coordinates, State};
 
 /// The error of an integration, with the last good state and its time.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum IntegrationError<S> {
     /// A number that the integration was given is impossible.
@@ -339,4 +339,11 @@ const DOUBLINGS: i32 = 32;
 /// Further doublings, for a fixed step that may end where the body is impossible.
 const WITHIN_A_STEP: i32 = 12;
 
-impl<S: fmt::Debug> core::error::Error for IntegrationError<S> {}
+/// The sentence of `Display`: a program prints it if its `main` returns the error.
+impl<S> fmt::Debug for IntegrationError<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl<S> core::error::Error for IntegrationError<S> {}

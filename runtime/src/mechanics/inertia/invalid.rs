@@ -14,7 +14,7 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 const ENTRIES: [[&str; 3]; 3] = [["xx", "xy", "zx"], ["xy", "yy", "yz"], ["zx", "yz", "zz"]];
 
 /// The first violated condition of an inertia tensor, from the simplest to the most general.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum InvalidInertia {
     /// An entry is infinite or NaN.
@@ -106,6 +106,13 @@ impl fmt::Display for InvalidInertia {
             Self::Singular => write!(f, "there is no moment about some axis (a rod or a point)"),
             Self::Mass { value } => write!(f, "no body has the mass {value} kg"),
         }
+    }
+}
+
+/// The sentence of `Display`: a program prints it if its `main` returns the error.
+impl fmt::Debug for InvalidInertia {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

@@ -12,7 +12,6 @@ use super::matrix::of_second_moments;
 use super::{InertiaTensor, InvalidInertia, MassProperties, invalid};
 
 /// Why a surface encloses no body.
-#[derive(Debug)]
 pub enum InvalidMesh {
     /// The file cannot be read, or is not an STL file.
     Unreadable(std::io::Error),
@@ -51,6 +50,13 @@ impl fmt::Display for InvalidMesh {
             Self::InsideOut => write!(f, "the surface is inside out: its triangles run clockwise"),
             Self::Inertia(error) => error.fmt(f),
         }
+    }
+}
+
+/// The sentence of `Display`: a program prints it if its `main` returns the error.
+impl fmt::Debug for InvalidMesh {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

@@ -19,7 +19,7 @@ pub struct Off {
 }
 
 /// Why no steady motion was found.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum TrimError {
     /// No coordinate and no input has this name.
@@ -120,6 +120,13 @@ fn left_over(f: &mut fmt::Formatter<'_>, residual: &[Option<Off>]) -> fmt::Resul
         f.write_str(" (SI units)")?;
     }
     Ok(())
+}
+
+/// The sentence of `Display`: a program prints it if its `main` returns the error.
+impl fmt::Debug for TrimError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
 }
 
 impl core::error::Error for TrimError {}

@@ -76,13 +76,14 @@ pub trait Momentum: RigidBody {
     /// A vector, or in the plane a scalar.
     type Angular;
 
-    /// `P = m v_G` \[kg m/s\].
+    /// `P = m v_G`, world axes \[kg m/s\]; of a system, the sum over its bodies.
     fn linear_momentum(&self, state: &Self::State) -> Self::Linear;
 
-    /// Angular momentum about G \[kg m²/s\].
+    /// Angular momentum about G, world axes \[kg m²/s\]; of a system, about the center of mass of the
+    /// system.
     fn angular_momentum(&self, state: &Self::State) -> Self::Angular;
 
-    /// Angular momentum about the pole, `L_O = L_G + (G - O) × P` \[kg m²/s\].
+    /// Angular momentum about the pole, `L_O = L_G + (G - O) × P`, world axes \[kg m²/s\].
     fn angular_momentum_about_pole(&self, time: Self::Scalar, state: &Self::State)
     -> Self::Angular;
 }
@@ -141,8 +142,8 @@ pub trait Reactions: RigidBody {
     /// [`Singular`](super::Singular).
     type Reactions;
 
-    /// The reactions in the motion given by [`RigidBody::acceleration`]. They do not depend on the
-    /// pole of the balances.
+    /// The reactions in the motion given by [`RigidBody::acceleration`], forces and moments in world
+    /// axes. They do not depend on the pole of the balances.
     fn reactions(
         &self,
         time: Self::Scalar,
@@ -156,7 +157,9 @@ pub trait Reactions: RigidBody {
 /// The force and moment balances, (1.3) and (1.4), with the acceleration given and the drives
 /// unknown. The motion is assumed to be one that the drives can produce. Balances in which no drive
 /// appears are ignored. If there are fewer drives than other balances, the remaining acceleration
-/// is least in the metric of the kinetic energy (Gauss's principle).
+/// is least in the metric of the kinetic energy (Gauss's principle). Given loads act as well: if a
+/// joint has both a given drive and an open one, the open one is what the motion requires beyond the
+/// given one.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `inverse`",
     label = "add `inverse` to its `outputs`"

@@ -42,7 +42,7 @@ pub trait DrivenMomentum: RigidBody {
     /// A vector, or in the plane a scalar.
     type Angular;
 
-    /// `P = Σ m v_G` \[kg m/s\].
+    /// `P = Σ m v_G`, world axes \[kg m/s\].
     fn linear_momentum(
         &self,
         time: Self::Scalar,
@@ -50,7 +50,7 @@ pub trait DrivenMomentum: RigidBody {
         input: &Self::Input,
     ) -> Self::Linear;
 
-    /// Angular momentum about the G of the whole system \[kg m²/s\].
+    /// Angular momentum about the center of mass of the system, world axes \[kg m²/s\].
     fn angular_momentum(
         &self,
         time: Self::Scalar,
@@ -58,7 +58,7 @@ pub trait DrivenMomentum: RigidBody {
         input: &Self::Input,
     ) -> Self::Angular;
 
-    /// Angular momentum about the origin of the world \[kg m²/s\].
+    /// Angular momentum about the origin of the world, world axes \[kg m²/s\].
     fn angular_momentum_about_pole(
         &self,
         time: Self::Scalar,

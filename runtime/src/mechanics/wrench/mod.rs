@@ -17,7 +17,8 @@ mod reduction;
 pub use line::Line;
 pub use reduction::{PlanarReduction, Reduction, Tolerance};
 
-/// Force and moment about a pole, in one set of axes.
+/// Force and moment about a pole, both in one set of axes: world axes in all outputs of bodies and
+/// systems.
 ///
 /// ```
 /// use newton_euler::nalgebra::Vector3;

@@ -89,6 +89,21 @@ fn spinning() -> Ensemble<bodies::Turning<f64>> {
     Ensemble::new(&bodies::Turning::default(), (0..19).map(spinning))
 }
 
+/// One input for all members, which they keep.
+#[test]
+fn one_input_for_all() {
+    let mut ensemble = Ensemble::new(&bodies::Turning::default(), [Rotation::default(); 11]);
+    let torque = Vector3::new(0.0, 0.0, 1.5);
+    let input = bodies::TurningInput { torque };
+    ensemble.integrate().input(&input).to(1.0).unwrap();
+    ensemble.integrate().starting_at(1.0).to(2.0).unwrap();
+    for state in ensemble.states() {
+        assert!((state.angular_velocity.z - 2.0).abs() < 1e-12);
+    }
+    let last = ensemble.states().iter().next_back();
+    assert_eq!(last, Some(ensemble.state(10)));
+}
+
 /// Samples are what one gets by going from one to the next, and the last is where the ensemble is; backwards as well.
 #[test]
 fn samples_are_ends() {
@@ -215,7 +230,8 @@ fn periods_that_are_none() {
 /// A setting that is impossible for all members is named, by whatever method they move.
 #[test]
 fn settings_that_are_none() {
-    let told = |end: Result<(), MemberError<Rotation>>| end.unwrap_err().to_string();
+    // what `main` prints
+    let told = |end: Result<(), MemberError<Rotation>>| format!("{:?}", end.unwrap_err());
     let mut ensemble = spinning();
     assert_eq!(
         told(ensemble.integrate().tolerance(-1.0).to(1.0)),

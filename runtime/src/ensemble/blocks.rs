@@ -25,6 +25,13 @@ pub(super) type Eight = [f64; BLOCK];
 /// let mut list: Blocks<Vector3<f64>> = (0..20_u8).map(|i| Vector3::x() * f64::from(i)).collect();
 /// list.set(7, &Vector3::z());
 /// assert_eq!((list.len(), list.get(7), list.get(19).x), (20, Vector3::z(), 19.0));
+///
+/// list.update(|index, value| value.y = if index < 10 { 0.5 } else { 0.0 });
+/// let mut sum = 0.0;
+/// for value in &list {
+///     sum += value.y;
+/// }
+/// assert_eq!(sum, 5.0);
 /// ```
 #[derive(Clone, Debug)]
 pub struct Blocks<C> {
@@ -87,10 +94,22 @@ impl<C: Columns<f64>> Blocks<C> {
         write(&mut self.rows, index / BLOCK, index % BLOCK, value);
     }
 
-    /// All values in order.
+    /// All values in order, as copies: they are stored as columns.
     #[must_use]
-    pub fn iter(&self) -> impl ExactSizeIterator<Item = C> {
-        (0..self.len).map(|index| self.get(index))
+    pub fn iter(&self) -> Values<'_, C> {
+        Values {
+            blocks: self,
+            left: 0..self.len,
+        }
+    }
+
+    /// Changes each value, given with its index, in order.
+    pub fn update(&mut self, mut change: impl FnMut(usize, &mut C)) {
+        for index in 0..self.len {
+            let mut value = self.get(index);
+            change(index, &mut value);
+            self.set(index, &value);
+        }
     }
 
     /// Zeros for as many members.
@@ -118,6 +137,42 @@ impl<C: Columns<f64>> Blocks<C> {
             "there are {} members, and no member {index}",
             self.len
         );
+    }
+}
+
+/// The values of [`Blocks`] in order.
+#[derive(Clone, Debug)]
+pub struct Values<'b, C> {
+    blocks: &'b Blocks<C>,
+    left: Range<usize>,
+}
+
+impl<C: Columns<f64>> Iterator for Values<'_, C> {
+    type Item = C;
+
+    fn next(&mut self) -> Option<C> {
+        self.left.next().map(|index| self.blocks.get(index))
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.left.size_hint()
+    }
+}
+
+impl<C: Columns<f64>> DoubleEndedIterator for Values<'_, C> {
+    fn next_back(&mut self) -> Option<C> {
+        self.left.next_back().map(|index| self.blocks.get(index))
+    }
+}
+
+impl<C: Columns<f64>> ExactSizeIterator for Values<'_, C> {}
+
+impl<'b, C: Columns<f64>> IntoIterator for &'b Blocks<C> {
+    type Item = C;
+    type IntoIter = Values<'b, C>;
+
+    fn into_iter(self) -> Values<'b, C> {
+        self.iter()
     }
 }
 

@@ -3,12 +3,12 @@
 use alloc::vec::Vec;
 use core::borrow::Borrow;
 
-use super::Ensemble;
 use super::course::{AsGiven, EnsembleControl, EnsembleCourse, EnsembleSamples};
 #[cfg(doc)]
 use super::moves::OneByOne;
 use super::moves::{MemberError, Moves, Together};
 use super::plan::Limits;
+use super::{Blocks, Ensemble};
 use crate::bodies::columns::Generic;
 #[cfg(doc)]
 use crate::integrate::{DormandPrince, Fixed, Verner};
@@ -131,6 +131,22 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         self
     }
 
+    /// Sets the same input for every member, held from the start to the end. The members keep it.
+    /// Without it, each has its own of [`Ensemble::inputs`].
+    pub fn input(self, input: &B::Input) -> EnsembleIntegration<'e, B, M, AsGiven> {
+        let members = self.ensemble.len();
+        *self.ensemble.inputs_mut() = Blocks::repeat(input, members);
+        EnsembleIntegration {
+            ensemble: self.ensemble,
+            start: self.start,
+            method: self.method,
+            limits: self.limits,
+            control: AsGiven,
+            #[cfg(feature = "progress")]
+            shows_progress: self.shows_progress,
+        }
+    }
+
     /// Takes inputs from a function of time, member and state, called at the start and after every
     /// period \[s\], each held until the next (zero-order hold), like a digital controller per
     /// member. The members keep their last inputs.
@@ -159,7 +175,7 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         }
     }
 
-    /// Moves all members to the end \[s\].
+    /// Moves all members to this time \[s\]: not a duration, but the time of the end.
     ///
     /// # Errors
     /// [`MemberError`] with a member that does not reach the end; the ensemble keeps its states
@@ -184,8 +200,9 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         self.course(end).seek_with_each()
     }
 
-    /// The states of all members at the start and after every period \[s\], up to the end \[s\].
-    /// The end is the last sample if it is a whole number of periods away. The ensemble itself
+    /// `samples(end, period)`: the states of all members at the start and after every period \[s\],
+    /// up to the end \[s\]. The end is the last sample if it is a whole number of periods away. If the
+    /// period is longer than the motion, the start is the only sample. The ensemble itself
     /// moves along, and ends at the last sample. Unlike for one body, steps end at the samples. An
     /// error is the last item.
     pub fn samples(self, end: f64, period: f64) -> EnsembleSamples<'e, B, M, C>

@@ -27,7 +27,7 @@ mod statistics;
 #[cfg(feature = "serde")]
 mod written;
 
-pub use blocks::Blocks;
+pub use blocks::{Blocks, Values};
 pub use course::{AsGiven, EnsembleControl, EnsembleSamples};
 pub use events::MemberEvent;
 pub use integration::EnsembleIntegration;
@@ -78,7 +78,7 @@ struct Members<B: Generic> {
 }
 
 /// A member that cannot be built.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct InvalidMember {
     /// The index of the member, from zero.
     pub index: usize,
@@ -89,6 +89,13 @@ pub struct InvalidMember {
 impl fmt::Display for InvalidMember {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "member {}: {}", self.index, self.error)
+    }
+}
+
+/// The sentence of `Display`: a program prints it if its `main` returns the error.
+impl fmt::Debug for InvalidMember {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

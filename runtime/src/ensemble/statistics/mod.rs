@@ -24,7 +24,7 @@ use crate::bodies::columns::{Columns, Generic, Sink};
 ///
 /// ```
 /// use newton_euler::ensemble::Statistics;
-/// use nalgebra::Vector2;
+/// use newton_euler::nalgebra::Vector2;
 ///
 /// let value = |i: u32| Vector2::new(1.0 / f64::from(i + 1), 1e16 * f64::from(i % 3) - 1e16);
 /// let all: Statistics<_> = (0..999).map(value).collect();

@@ -55,9 +55,9 @@ pub trait Integrate: RigidBody<Scalar = f64> + Sized {
     /// The best method for it.
     type Best: Method<Self> + Tolerant;
 
-    /// Integrates the motion from a state. By default it starts at time zero, with the default
-    /// input and errors of 1e-9 per step, by [`Self::Best`]. [`Integration`] changes these
-    /// settings.
+    /// Integrates the motion from a state. By default it starts at time zero, with errors of 1e-9
+    /// per step, by [`Self::Best`], and all inputs are zero until [`input`](Integration::input) or
+    /// [`control`](Integration::control) gives them. [`Integration`] changes these settings.
     fn integrate(
         &self,
         state: &Self::State,
@@ -142,7 +142,8 @@ where
     C: Control<B::State, B::Input>,
     L: Iterator<Item: Borrow<f64>> + Clone,
 {
-    /// Begins at this time \[s\] instead of zero.
+    /// Begins at this time \[s\] instead of zero. The end is a time on the same clock:
+    /// `starting_at(2.0).to(5.0)` moves for 3 s.
     pub fn starting_at(self, time: f64) -> Self {
         Self {
             start: time,
@@ -227,7 +228,7 @@ where
         }
     }
 
-    /// Sets an input that is held from the start to the end.
+    /// Sets an input that is held from the start to the end. Without it, all inputs are zero.
     pub fn input(self, input: B::Input) -> Integration<'b, B, M, Held<B::Input>, L> {
         self.under(Held(input))
     }
@@ -265,7 +266,8 @@ where
         }
     }
 
-    /// The state at the end \[s\].
+    /// The state at this time \[s\]: not a duration, but the time of the end, which differs from it
+    /// after [`starting_at`](Self::starting_at).
     ///
     /// # Errors
     /// [`IntegrationError`], if the motion or the tolerance leaves the range of numbers, or if
@@ -279,9 +281,9 @@ where
         Ok(course.run.state())
     }
 
-    /// The states at the start and after every period \[s\], up to the end \[s\]. The end is the
-    /// last sample if it is a whole number of periods away. Sampling does not change the
-    /// steps.
+    /// `samples(end, period)`: the states at the start and after every period \[s\], up to the end
+    /// \[s\]. The end is the last sample if it is a whole number of periods away. If the period is
+    /// longer than the motion, the start is the only sample. Sampling does not change the steps.
     pub fn samples(self, end: f64, period: f64) -> Samples<M::Run<'b>, C, B, L> {
         Samples::new(self.course(end), period)
     }

@@ -38,6 +38,14 @@ fn show_part<T: Scalar>(
             with_unit(f, unit)
         }
         Names::Vector(components, unit) => {
+            // x, y, z is the only order of a vector; quaternions have two
+            if components.len() > 3 {
+                for (place, name) in components.iter().enumerate() {
+                    let before = if place == 0 { "(" } else { ", " };
+                    write!(f, "{before}{name}")?;
+                }
+                f.write_str(") = ")?;
+            }
             for place in 0..components.len() {
                 f.write_str(if place == 0 { "(" } else { ", " })?;
                 show_number(index, value, f)?;

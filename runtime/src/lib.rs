@@ -62,7 +62,8 @@
 //!
 //! - `dispatch` (on by default): series in the widest registers of the processor, detected at run
 //!   time.
-//! - `serde`: serialization of states, accelerations, wrenches, inertia tensors and ensembles.
+//! - `serde`: serialization of states, accelerations, parameters, inputs, wrenches, inertia tensors
+//!   and ensembles. A parameter that is missing has the default of the description, if there is one.
 //!   Reading refuses impossible values (an attitude or an axis that is not unit, an impossible
 //!   inertia). Numbers are passed on bit for bit; `serde_json` reads them so with its feature
 //!   `float_roundtrip`.
@@ -72,13 +73,14 @@
 //! - `progress`: a progress bar for motions that take longer than a second, in terminals.
 //! - `stl`: mass, center of mass and inertia of closed meshes, from STL files
 //!   ([`inertia::MassProperties`]); it needs `std`.
-//! - `pictures`: plots of samples as SVG, and pages with moving solids; it needs `std`.
+//! - `std`: [`columns::Csv`] writes files.
+//! - `pictures`: plots of samples as SVG, and pages with moving solids; it turns on `std`.
 //! - `glam`, `mint`: conversions between the vectors, attitudes and matrices of states and the types
-//!   of these crates, by `From` and `Into` of nalgebra; `glam` is version 0.33.
-//! - `num-dual`: the numbers of the crate of that name as scalars ([`scalar::NumDual`]); it needs
-//!   `std`.
+//!   of these crates, by `From` and `Into` of nalgebra: `glam = "0.33"`, `mint = "0.5"`.
+//! - `num-dual`: the numbers of the crate of that name as scalars (`scalar::NumDual`):
+//!   `num-dual = "0.15"`; it needs `std`.
 //! - `differential-equations`: the equations of a body for the methods of the crate of that name
-//!   ([`integrate::Equations`])
+//!   ([`integrate::Equations`]): `differential-equations = "0.7"`.
 
 #![no_std]
 // docs.rs shows which feature an item needs
@@ -88,7 +90,7 @@
 
 #[cfg(any(feature = "ensemble", feature = "stl"))]
 extern crate alloc;
-#[cfg(any(feature = "pictures", feature = "progress"))]
+#[cfg(feature = "std")]
 extern crate std;
 
 mod bodies;
@@ -119,6 +121,10 @@ pub use numbers::scalar;
 pub mod schema;
 pub use tops::{precession, top};
 
+/// The crate of the vectors, matrices and quaternions of states and outputs, version 0.35.
+///
+/// It is built without its features `macros` and `std`. For `vector!` and `matrix!`, and for
+/// matrices printed in aligned columns, add `nalgebra = "0.35"` to your own dependencies.
 pub use nalgebra;
 #[doc(no_inline)]
 pub use scalar::{Dual, Scalar};

@@ -97,6 +97,11 @@ fn states_are_shown_with_units() {
         single.to_string(),
         "angle 0.5 rad, angular_velocity NaN rad/s"
     );
+    let turned = Rotation::default();
+    assert_eq!(
+        turned.to_string(),
+        "attitude (x, y, z, w) = (0, 0, 0, 1), angular_velocity (0, 0, 0) rad/s"
+    );
     // each part once
     assert!(assembled().to_string().matches("; ").count() > 2);
 }
@@ -177,4 +182,15 @@ fn parameters_and_inputs_are_written() {
     assert_eq!(missing, "missing field `share`");
     let missing = serde_json::from_value::<CartInput>(json!({})).expect_err("it is missing");
     assert_eq!(missing.to_string(), "missing field `push`");
+}
+
+#[test]
+fn a_table_is_written_to_a_file() {
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("shown.csv");
+    let states = [Hinge::default(); 3];
+    Csv::of(&states).write(&path).expect("a folder for it");
+    let read = std::fs::read_to_string(&path).expect("it is there");
+    assert_eq!(read, Csv::of(&states).to_string());
+    let nowhere = path.join("below a file");
+    assert!(Csv::of(&states).write(nowhere).is_err());
 }

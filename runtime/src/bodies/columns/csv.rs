@@ -4,6 +4,12 @@ use core::cell::RefCell;
 use core::fmt;
 use core::iter::Cloned;
 use core::slice;
+#[cfg(feature = "std")]
+use std::{
+    fs::File,
+    io::{self, BufWriter, Write as _},
+    path::Path,
+};
 
 use super::column::{Columns, Sink};
 use super::names::Named;
@@ -11,7 +17,7 @@ use super::names::Named;
 /// A table of comma-separated values: a line with the names of the columns, then one line per
 /// value.
 ///
-/// `Display` gives it as text. Each number is written with the fewest digits that read back to the
+/// `Display` gives it as text, and `write` (feature `std`) writes it to a file. Each number is written with the fewest digits that read back to the
 /// same bits; infinite numbers and NaN are written as `inf`, `-inf` and `NaN`.
 ///
 /// ```
@@ -84,6 +90,19 @@ impl<I: Iterator<Item: Columns<f64> + Named>> Csv<I> {
             number: Some(name),
             ..self
         }
+    }
+}
+
+#[cfg(feature = "std")]
+impl<I: Iterator<Item: Columns<f64> + Named>> Csv<I> {
+    /// Writes it to a file, row by row.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn write(&self, path: impl AsRef<Path>) -> io::Result<()> {
+        let mut file = BufWriter::new(File::create(path)?);
+        write!(file, "{self}")?;
+        file.flush()
     }
 }
 

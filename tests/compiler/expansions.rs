@@ -7,7 +7,7 @@ use proc_macro2::{Literal, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use crate::descriptions::{many_forces, quadrotor};
-use crate::repository;
+use crate::from_root::repository;
 use crate::{expand_description, expand_system, pretty, printed};
 
 fn plank() -> TokenStream {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::repository;
+use crate::from_root::repository;
 use crate::text;
 use mounted::errors::Errors;
 use mounted::expand::expand_system;

@@ -7,7 +7,7 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 
 use crate::files::{Random, errors, mutant};
-use crate::repository;
+use crate::from_root::repository;
 use mounted::errors::Errors;
 use mounted::expand::expand_system;
 use mounted::syntax;

@@ -8,7 +8,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{Item, ItemMacro};
 
-use crate::repository;
+use crate::from_root::{from_root, repository};
 use crate::text;
 use mounted::errors::Errors;
 use mounted::syntax;
@@ -31,6 +31,7 @@ fn macros(path: &Path) -> Vec<ItemMacro> {
 /// The description of a file with all its values, under another name.
 fn printed(description: &TokenStream) -> TokenStream {
     let mut errors = Errors::default();
+    let description = from_root(description.clone());
     let system = syntax::parse_system(quote!((::newton_euler) #description), &mut errors);
     assert!(errors.finish().is_none(), "{description}");
     let mut system = system.expect("a description without mistakes");

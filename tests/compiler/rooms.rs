@@ -1,7 +1,7 @@
 //! The structure of the compiler: which room may import which, and that no files in a room form a
 //! cycle.
 
-use crate::repository;
+use crate::from_root::repository;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};

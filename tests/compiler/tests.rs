@@ -15,6 +15,7 @@ mod eigen;
 mod equations;
 mod expansions;
 mod files;
+mod from_root;
 mod models;
 mod numbers;
 mod operations;
@@ -25,14 +26,8 @@ mod trees;
 mod words;
 mod zeros;
 
-use std::path::{Path, PathBuf};
-
 use proc_macro2::TokenStream;
 use quote::quote;
-
-fn repository() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
 
 /// The expansion of a description, as the macro of the runtime would ask for it.
 fn expand_description(description: TokenStream) -> TokenStream {

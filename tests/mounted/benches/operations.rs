@@ -6,9 +6,13 @@
 //! diff before.txt after.txt
 //! ```
 
+#[path = "../../compiler/from_root.rs"]
+mod from_root;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use from_root::{from_root, repository};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 use syn::visit::Visit;
@@ -29,7 +33,7 @@ impl<'a> Visit<'a> for Descriptions {
     }
 }
 
-fn expansion(is_system: bool, description: &TokenStream) -> String {
+fn expansion(is_system: bool, description: TokenStream) -> String {
     let description = quote!((::newton_euler) #description);
     let expansion = if is_system {
         mounted::expand::expand_system(description)
@@ -72,9 +76,7 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
 }
 
 fn main() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    // names of files in descriptions begin at the root
-    std::env::set_current_dir(&root).expect("the repository");
+    std::env::set_current_dir(repository()).expect("the repository");
     for file in ["tests", "examples", "benches"]
         .map(Path::new)
         .into_iter()
@@ -90,7 +92,7 @@ fn main() {
             let Some(TokenTree::Ident(name)) = description.clone().into_iter().next() else {
                 continue;
             };
-            for (function, counts) in counts(&expansion(is_system, &description)) {
+            for (function, counts) in counts(&expansion(is_system, from_root(description))) {
                 println!("{} {name} {function} {counts}", file.display());
             }
         }

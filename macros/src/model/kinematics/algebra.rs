@@ -99,13 +99,13 @@ impl Workspace {
     /// multiple is taken there.
     pub fn scale(&mut self, factor: Id, a: Vector) -> Vector {
         let a = match self.gathered.get(&a) {
-            Some((square, gathered)) if self.contains(factor, *square) => *gathered,
+            Some((square, gathered)) if self.is_made_of(factor, *square) => *gathered,
             _ => a,
         };
         self.map(a, |graph, part| graph.scale_vector(factor, part))
     }
 
-    fn contains(&self, whole: Id, part: Id) -> bool {
+    fn is_made_of(&self, whole: Id, part: Id) -> bool {
         // operands come before what is made of them
         let inside = self.graph.reachable(&[whole], |id| id > part);
         inside.contains(&part)

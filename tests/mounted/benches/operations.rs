@@ -33,7 +33,7 @@ impl<'a> Visit<'a> for Descriptions {
     }
 }
 
-fn expansion(is_system: bool, description: TokenStream) -> String {
+fn expansion(is_system: bool, description: &TokenStream) -> String {
     let description = quote!((::newton_euler) #description);
     let expansion = if is_system {
         mounted::expand::expand_system(description)
@@ -92,7 +92,8 @@ fn main() {
             let Some(TokenTree::Ident(name)) = description.clone().into_iter().next() else {
                 continue;
             };
-            for (function, counts) in counts(&expansion(is_system, from_root(description))) {
+            let description = from_root(description);
+            for (function, counts) in counts(&expansion(is_system, &description)) {
                 println!("{} {name} {function} {counts}", file.display());
             }
         }

@@ -214,7 +214,7 @@ impl Lowering<'_> {
         match value {
             Value::Scalar(id, dimension) => {
                 let id = graph.quantity(id);
-                labels.name(graph.split_sign(id).1, name);
+                labels.name(id, name);
                 Value::Scalar(id, dimension)
             }
             Value::Vector(vector, dimension) => {

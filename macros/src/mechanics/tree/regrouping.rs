@@ -89,7 +89,7 @@ pub fn left_out(graph: &Graph, before: &Tree, after: &Tree) -> Vec<String> {
         };
         let (name, joint) = (&link.name, &freedom.name);
         if matches!(link.turning, Turning::Parallel) && turns_unseen(graph, after, index) {
-            lines.push(format!("the sine and cosine of `{joint}`: `{name}` is symmetric about its axis, carries nothing, and no load on it turns with it"));
+            lines.push(format!("the sine and cosine of `{joint}` in the accelerations: `{name}` is symmetric about its axis, carries nothing, and no load on it turns with it"));
         }
         if graph.is_zero(link.properties.mass) && !graph.is_zero(own.properties.mass) {
             let carrier = match beyond(graph, after, index).map(|carrier| &after.links[carrier]) {

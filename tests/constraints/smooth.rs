@@ -166,3 +166,32 @@ fn in_space_and_of_velocities() {
     assert!((found.linear - expected.linear).norm() < 1e-13 * expected.linear.norm());
     assert!((found.angular - expected.angular).abs() < 1e-13 * expected.angular.abs());
 }
+
+/// A sign, a factor and the length of a direction do not matter.
+mod scaled {
+    newton_euler::rigid_body!(Scaled {
+        motion: planar,
+        mass: 2[kg],
+        inertia: 0.3[kg * m ^ 2],
+        points: [tip = (0.4, 0.1)[m]],
+        fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+        locals: [q = tip.position().in_world()],
+        constraints: [wire = q.y - 1[m] * (q.x / 1[m]).sin()],
+        reactions: [normal = (_ * (-2 * wire.gradient().normalize())).at(tip)],
+        outputs: [reactions],
+    });
+}
+
+#[test]
+fn the_length_of_a_gradient_does_not_matter() {
+    let state = Planar {
+        position: Vector2::new(0.7, 0.2),
+        angle: 0.6,
+        velocity: Vector2::new(1.2, -0.4),
+        angular_velocity: 2.5,
+    };
+    let found = scaled::Scaled {}.acceleration(0.0, &state, &());
+    let expected = wave::ByHand {}.acceleration(0.0, &state, &());
+    assert!((found.linear - expected.linear).norm() < 1e-14 * expected.linear.norm());
+    assert!((found.angular - expected.angular).abs() < 1e-14 * expected.angular.abs());
+}

@@ -227,6 +227,23 @@ fn periods_that_are_none() {
     assert_eq!(error.to_string(), "the end is NaN s: it must be finite");
 }
 
+/// Steps that are lost in rounding at the end are refused at the start.
+#[test]
+fn steps_too_short_for_the_end() {
+    let is_refused = |error: &IntegrationError<_>| {
+        matches!(error, IntegrationError::StepTooSmall { time: 0.0, .. })
+    };
+    let mut ensemble = spinning();
+    let errors = ensemble.integrate().max_step(1e-300).to(0.3).unwrap_err();
+    assert!(is_refused(&errors.error));
+    let mut ensemble = spinning();
+    let controlled = ensemble
+        .integrate()
+        .control(1e-300, |_, _, _| Default::default())
+        .to(0.3);
+    assert!(is_refused(&controlled.unwrap_err().error));
+}
+
 /// A setting that is impossible for all members is named, by whatever method they move.
 #[test]
 fn settings_that_are_none() {

@@ -180,6 +180,11 @@ fn parameters_and_inputs_are_written() {
     let missing = serde_json::from_value::<TugParams<f64>>(json!({ "length": 3 }));
     let missing = missing.expect_err("it has no default").to_string();
     assert_eq!(missing, "missing field `share`");
+    // a misspelt one would count as missing
+    let misspelt = serde_json::from_value::<TugParams<f64>>(json!({ "share": 1, "lenght": 9 }));
+    let misspelt = misspelt.expect_err("no such parameter").to_string();
+    let expected = "unknown field `lenght`, expected one of `length`, `drag`, `share`";
+    assert_eq!(misspelt, expected);
     let missing = serde_json::from_value::<CartInput>(json!({})).expect_err("it is missing");
     assert_eq!(missing.to_string(), "missing field `push`");
 }

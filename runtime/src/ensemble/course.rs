@@ -113,9 +113,11 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
             let is_ahead = |until: f64, now: f64| if forwards { until > now } else { until < now };
             if self.time == self.held_until {
                 let until = self.control.set(self.ensemble, self.time, self.end);
-                if !is_ahead(until, self.time) {
+                let period = self.control.period();
+                let is_lost = |period| self.end.is_finite() && self.end + period == self.end;
+                if !is_ahead(until, self.time) || period.is_some_and(is_lost) {
                     let time = self.time;
-                    let period = self.control.period().unwrap_or(until - time);
+                    let period = period.unwrap_or(until - time);
                     let setting = (Setting::Period, period);
                     return Err(
                         self.ended(|state| IntegrationError::too_small(setting, time, state))

@@ -96,6 +96,9 @@ impl Lowering<'_> {
                 format!("`{}` is a keyword of Rust, and no name here", &keyword[2..])
             }
             "ground" if !self.members.bodies.is_empty() => POINT_OF_GROUND.to_owned(),
+            _ if self.scope.constraint(&word).is_some() => {
+                format!("`{word}` is a constraint: write its gradient, `{word}.gradient()`")
+            }
             "body" | "world" => {
                 format!("`{word}` makes a vector: write `{word}(..)` with components")
             }

@@ -45,6 +45,10 @@ impl Lowering<'_> {
                 Some(Value::Vector(vector, dimension))
             }
             "table" => self.table(function, arguments),
+            "gradient" if self.scope.look_up(&word).is_none() => self.report(
+                function.span(),
+                "the gradient of a constraint is its method: write `name.gradient()`",
+            ),
             "moment" => self.report(
                 function.span(),
                 "`moment(..)` stands alone behind the name of a reaction or a field",

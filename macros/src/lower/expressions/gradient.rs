@@ -45,8 +45,8 @@ impl Lowering<'_> {
             Kept::Reported => return Some(None),
             Kept::Unread => {
                 let message = format!(
-                    "`{name}` is a constraint, and these are read after what is defined here: write \
-                     its gradient in a load"
+                    "`{name}` is a constraint, which is read after this: only `reactions` and given \
+                     loads can be along its gradient"
                 );
                 return Some(self.report(method.span(), message));
             }
@@ -91,12 +91,17 @@ impl Lowering<'_> {
     }
 }
 
-/// The constraint whose gradient this is.
+/// The constraint whose gradient is in this direction.
 pub fn of_gradient(direction: &Expression) -> Option<String> {
-    match &direction.kind {
-        Kind::Method(receiver, method, _) if method == "gradient" => constraint_name(receiver),
-        _ => None,
-    }
+    let mut found = None;
+    direction.visit(|part| {
+        if let Kind::Method(receiver, method, _) = &part.kind
+            && method == "gradient"
+        {
+            found = constraint_name(receiver);
+        }
+    });
+    found
 }
 
 /// `wire`, or `pin.x` for a component of a vector.

@@ -121,8 +121,10 @@ pub fn check_kept(
     elimination: &Elimination,
     errors: &mut Errors,
 ) -> Option<()> {
+    let is_turned = |push: &&Push<'_>| !model.motion.has_attitude() && !push.unit.moment.is_zero();
+    let turned = pushes.iter().find(is_turned);
     for (row, _) in &elimination.spare {
-        if let Some(constraint) = constraints.get(*row) {
+        if let Some(constraint) = constraints.get(*row).filter(|_| turned.is_none()) {
             errors.push(
                 constraint.place.span(),
                 format!(
@@ -140,7 +142,7 @@ pub fn check_kept(
                     "nothing balances {balance}: leave another component of a reaction unknown"
                 ),
             );
-        } else if let Some(push) = pushes.first() {
+        } else if let Some(push) = turned.or(pushes.first()) {
             errors.push(
                 push.unit.place,
                 format!(
@@ -154,8 +156,8 @@ pub fn check_kept(
     elimination.spare.is_empty().then_some(())
 }
 
-/// Reports a `_ * wire.gradient()` that is not proved to be along the whole gradient, of which a
-/// force has the linear part, and its arm the angular part.
+/// Reports a reaction with the gradient of a constraint in its direction, if it is not proved to be
+/// along the whole gradient, of which a force has the linear part, and its arm the angular part.
 pub fn check_smooth(
     model: &Model,
     work: &mut Workspace,
@@ -173,23 +175,33 @@ pub fn check_smooth(
             continue;
         };
         let unit = Unit::new(model, work, load, load.frame, (axis, place), &[]);
-        let [load, gradient] = [free_load(model, work, &unit), constraint.rates.factors];
-        let graph = &mut work.graph;
-        let sides = load.entries().into_iter().zip(gradient.entries());
-        let rest: Vec<_> = sides.map(|(a, b)| graph.subtract(a, b)).collect();
-        if !all_vanish(work, &rest) {
+        let load = free_load(model, work, &unit).entries();
+        if !are_parallel(work, &load, &constraint.rates.factors.entries()) {
             let name = &constraint.name;
             errors.push(
                 place,
                 format!(
-                    "`{name}` holds another point than the one at which this acts: a smooth support \
-                     acts there, `(_ * {name}.gradient()).at(P)`"
+                    "this is not along the gradient of `{name}`, and would do work: a smooth support is \
+                     `(_ * {name}.gradient()).at(P)`, at the point P that `{name}` holds"
                 ),
             );
             all = None;
         }
     }
     all
+}
+
+/// Whether one is proved to be a multiple of the other.
+fn are_parallel(work: &mut Workspace, a: &[Id], b: &[Id]) -> bool {
+    let mut minors = Vec::new();
+    for i in 0..a.len() {
+        for j in 0..i {
+            let graph = &mut work.graph;
+            let [left, right] = [(i, j), (j, i)].map(|(i, j)| graph.multiply(a[i], b[j]));
+            minors.push(graph.subtract(left, right));
+        }
+    }
+    all_vanish(work, &minors)
 }
 
 /// How the smooth support of a constraint is written, as the end of a message. Empty for a
@@ -200,5 +212,8 @@ pub fn smooth_support(work: &Workspace, constraint: &Constrained) -> String {
     if constraint.position.is_none() || is_turning {
         return String::new();
     }
-    format!("; a smooth support is `_ * {}.gradient()`", constraint.name)
+    format!(
+        "; a smooth support is `(_ * {}.gradient()).at(P)`, at the point P that it holds",
+        constraint.name
+    )
 }

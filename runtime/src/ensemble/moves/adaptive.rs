@@ -80,7 +80,9 @@ fn stream<B: Generic, A: Adaptive + Method<B>>(
     let left: Vec<_> = (0..count).map(|_| AtomicBool::new(false)).collect();
     let done = Done::of(count, observer);
     // what is impossible for all is reported by each alone
-    if times.start.is_finite() && times.end.is_finite() && method.tolerance() > 0.0 {
+    let is_finite = times.start.is_finite() && times.end.is_finite();
+    let reaches = limits.pace().reaches(times.start, times.end);
+    if is_finite && reaches && method.tolerance() > 0.0 {
         let columns = <B::State as Columns<f64>>::COUNT;
         let (members, width) = (&ensemble.members, ensemble.width);
         in_chunks(ensemble.states.rows_mut(), columns, |first, rows| {

@@ -64,7 +64,7 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
             return none_moves(&ensemble.members, (Setting::Step, self.step));
         };
         let pace = limits.pace();
-        if pace.limit(time, end).is_none() || pace.limit(end, time).is_none() {
+        if pace.limit(time, end).is_none() || !pace.reaches(time, end) {
             return none_moves(&ensemble.members, (Setting::MaxStep, limits.max_step));
         }
         let done = Done::of(before.len(), observer);

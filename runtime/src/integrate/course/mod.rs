@@ -41,6 +41,12 @@ impl<L> Pace<L> {
         };
         (longest && next != time).then_some(next)
     }
+
+    /// Whether the longest steps are not lost in rounding at the end, either.
+    pub(crate) fn reaches(&self, time: f64, end: f64) -> bool {
+        let is_limited = self.max_step < f64::INFINITY && end.is_finite();
+        !is_limited || self.limit(end, time).is_some()
+    }
 }
 
 /// A motion between its start and its end.
@@ -137,8 +143,10 @@ where
             let (input, until) = self.control.input(time, &state, self.end);
             (self.input, self.held_until) = (input, until);
             self.run.renew();
-            if !self.is_before(until) {
-                let period = self.control.period().unwrap_or(until - time);
+            let period = self.control.period();
+            let is_lost = |period| self.end.is_finite() && self.end + period == self.end;
+            if !self.is_before(until) || period.is_some_and(is_lost) {
+                let period = period.unwrap_or(until - time);
                 let setting = (Setting::Period, period);
                 return Err(IntegrationError::too_small(setting, time, state));
             }
@@ -155,7 +163,9 @@ where
             self.run.enter(self.stretch);
         }
         let limit = self.nearer(self.nearer(self.held_until, self.end), self.stretch.next);
-        self.pace.limit(time, limit).ok_or_else(|| {
+        let next = self.pace.limit(time, limit);
+        let next = next.filter(|_| self.pace.reaches(time, self.end));
+        next.ok_or_else(|| {
             let setting = (Setting::MaxStep, self.pace.max_step);
             IntegrationError::too_small(setting, time, self.run.state())
         })

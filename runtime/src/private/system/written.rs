@@ -64,9 +64,13 @@ pub fn finite<S: Coordinates, E: Error>(state: &S) -> Result<(), E> {
     check(state.coordinates().as_ref()).map_err(E::custom)
 }
 
-/// The name of a field on reading, if it is one of these.
+/// The name of a field on reading, if it is one of these. Other names are refused if fields may be
+/// missing, because a misspelt field would then count as missing.
 #[derive(Clone, Copy, Debug)]
-pub struct Name(pub &'static [&'static str]);
+pub struct Name {
+    pub names: &'static [&'static str],
+    pub may_be_missing: bool,
+}
 
 impl<'de> DeserializeSeed<'de> for Name {
     type Value = Option<&'static str>;
@@ -85,16 +89,20 @@ impl Visitor<'_> for Name {
 
     fn visit_u64<E: Error>(self, place: u64) -> Result<Self::Value, E> {
         let place = usize::try_from(place).ok();
-        Ok(place.and_then(|place| self.0.get(place)).copied())
+        Ok(place.and_then(|place| self.names.get(place)).copied())
     }
 
     fn visit_str<E: Error>(self, name: &str) -> Result<Self::Value, E> {
-        self.visit_bytes(name.as_bytes())
+        let found = self.names.iter().copied().find(|other| *other == name);
+        if found.is_none() && self.may_be_missing {
+            return Err(Error::unknown_field(name, self.names));
+        }
+        Ok(found)
     }
 
     fn visit_bytes<E: Error>(self, name: &[u8]) -> Result<Self::Value, E> {
-        let mut names = self.0.iter().copied();
-        Ok(names.find(|other| other.as_bytes() == name))
+        let name = core::str::from_utf8(name).map_err(Error::custom)?;
+        self.visit_str(name)
     }
 }
 
@@ -139,6 +147,7 @@ macro_rules! __written {
                     $crate::private::bare(::core::stringify!($name));
                 const NAMES: &[&str] =
                     &[$($crate::private::bare(::core::stringify!($field)),)+];
+                const DEFAULTS: &[&str] = &[$($(::core::stringify!($default),)?)+];
             }
 
             impl<
@@ -177,7 +186,10 @@ macro_rules! __written {
                     while let ::core::option::Option::Some(found) =
                         $crate::private::serde::de::MapAccess::next_key_seed(
                             &mut fields,
-                            $crate::private::system::Name(Self::NAMES),
+                            $crate::private::system::Name {
+                                names: Self::NAMES,
+                                may_be_missing: !Self::DEFAULTS.is_empty(),
+                            },
                         )?
                     {
                         $(

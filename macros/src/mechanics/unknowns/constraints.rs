@@ -69,11 +69,9 @@ pub fn derive_constrained(
     }
     let elimination = work.graph.solve(system, pushes.len());
     let left: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
-    let smooth: String = constraints
-        .iter()
-        .map(|one| smooth_support(work, one))
-        .collect();
-    let zero = format!("{}{smooth}", OF_REACTIONS.zero);
+    let mut smooth = constraints.iter().map(|one| smooth_support(work, one));
+    let smooth = smooth.find(|advice| !advice.is_empty());
+    let zero = format!("{}{}", OF_REACTIONS.zero, smooth.unwrap_or_default());
     let advice = Advice {
         zero: &zero,
         ..OF_REACTIONS

@@ -252,7 +252,7 @@ fn settings_that_are_none() {
     let mut ensemble = spinning();
     assert_eq!(
         told(ensemble.integrate().tolerance(-1.0).to(1.0)),
-        "member 0: the tolerance is -1: it must be positive"
+        "member 0: the tolerance is -1: it must be positive and finite"
     );
     assert_eq!(
         told(ensemble.integrate().max_step(0.0).to(1.0)),

@@ -227,15 +227,27 @@ fn settings_are_told() {
         ExactPendulum::default(),
     );
     let positive = |what: &str| format!("the {what}: it must be positive");
+    let valid = |what: &str| format!("the {what}: it must be positive and finite");
     let finite = |what: &str| format!("{what}: it must be finite");
     assert_eq!(
         told(body.integrate(&START).tolerance(-1.0).to(1.0)),
-        positive("tolerance is -1")
+        valid("tolerance is -1")
     );
     assert_eq!(
         told(series.integrate(&START).tolerance(f64::NAN).to(1.0)),
-        positive("tolerance is NaN")
+        valid("tolerance is NaN")
     );
+    for tolerance in [f64::INFINITY, 0.0] {
+        let refused = valid(&format!("tolerance is {tolerance}"));
+        assert_eq!(
+            told(body.integrate(&START).tolerance(tolerance).to(1.0)),
+            refused
+        );
+        assert_eq!(
+            told(series.integrate(&START).tolerance(tolerance).to(1.0)),
+            refused
+        );
+    }
     assert_eq!(
         told(body.integrate(&START).max_step(0.0).to(1.0)),
         positive("longest step is 0 s")

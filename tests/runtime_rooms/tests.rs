@@ -30,7 +30,7 @@ const ROOMS: [(&str, &str); 18] = [
         "ensemble",
         "numbers state bodies integrate/steps integrate/methods integrate/course",
     ),
-    ("pictures", "state bodies integrate/course"),
+    ("pictures", "numbers state bodies integrate/course"),
     ("private", "numbers mechanics state bodies exact"),
     ("prelude", ""),
     ("guide", ""),

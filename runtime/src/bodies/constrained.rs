@@ -14,7 +14,7 @@
 use core::fmt;
 
 use crate::bodies::body::RigidBody;
-use crate::numbers::brief::Brief;
+use crate::numbers::messages::{Brief, debug_as_display};
 
 /// A body whose motion is under constraints.
 pub trait Constrained: RigidBody {
@@ -132,11 +132,6 @@ impl fmt::Display for Inconsistent {
     }
 }
 
-/// The sentence of `Display`: a program prints it if its `main` returns the error.
-impl fmt::Debug for Inconsistent {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+debug_as_display!(Inconsistent);
 
 impl core::error::Error for Inconsistent {}

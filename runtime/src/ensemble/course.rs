@@ -14,7 +14,7 @@ use super::{Blocks, Ensemble};
 use crate::bodies::columns::Generic;
 #[cfg(feature = "progress")]
 use crate::integrate::Bar;
-use crate::integrate::{Instants, IntegrationError, Sample, Sampled, Setting};
+use crate::integrate::{Instants, IntegrationError, Sample, Sampled, Setting, period_is_lost};
 
 /// The inputs of the members over time: [`AsGiven`], or a function called at equal intervals, by
 /// [`EnsembleIntegration::control`](super::EnsembleIntegration::control).
@@ -114,8 +114,7 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
             if self.time == self.held_until {
                 let until = self.control.set(self.ensemble, self.time, self.end);
                 let period = self.control.period();
-                let is_lost = |period| self.end.is_finite() && self.end + period == self.end;
-                if !is_ahead(until, self.time) || period.is_some_and(is_lost) {
+                if !is_ahead(until, self.time) || period_is_lost(period, self.end) {
                     let time = self.time;
                     let period = period.unwrap_or(until - time);
                     let setting = (Setting::Period, period);

@@ -13,6 +13,7 @@ use core::fmt;
 use crate::bodies::body::InvalidBody;
 use crate::bodies::columns::Generic;
 use crate::numbers::lanes::Width;
+use crate::numbers::messages::debug_as_display;
 
 mod blocks;
 mod course;
@@ -92,12 +93,7 @@ impl fmt::Display for InvalidMember {
     }
 }
 
-/// The sentence of `Display`: a program prints it if its `main` returns the error.
-impl fmt::Debug for InvalidMember {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+debug_as_display!(InvalidMember);
 
 impl core::error::Error for InvalidMember {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {

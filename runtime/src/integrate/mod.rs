@@ -55,6 +55,7 @@ pub use steps::stretch::next_switch;
 
 #[cfg(feature = "ensemble")]
 pub(crate) use {
+    course::control::period_is_lost,
     course::instants::Instants,
     course::integration::TOLERANCE,
     course::{Course, Pace},

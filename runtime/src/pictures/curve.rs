@@ -6,6 +6,7 @@ use std::vec::Vec;
 
 use crate::bodies::columns::{Columns, Named, Sink};
 use crate::integrate::Sample;
+use crate::numbers::messages::debug_as_display;
 
 /// Numbers over the samples.
 #[derive(Clone, Debug)]
@@ -49,12 +50,7 @@ impl fmt::Display for UnknownColumn {
     }
 }
 
-/// The sentence of `Display`: a program prints it if its `main` returns the error.
-impl fmt::Debug for UnknownColumn {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+debug_as_display!(UnknownColumn);
 
 impl core::error::Error for UnknownColumn {}
 

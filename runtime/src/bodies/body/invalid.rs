@@ -3,6 +3,7 @@
 use core::fmt;
 
 use crate::mechanics::inertia::InvalidInertia;
+use crate::numbers::messages::debug_as_display;
 
 /// Why a body cannot be built from these parameters.
 #[derive(Clone, Copy, PartialEq)]
@@ -118,12 +119,7 @@ impl fmt::Display for InvalidBody {
     }
 }
 
-/// The sentence of `Display`: a program prints it if its `main` returns the error.
-impl fmt::Debug for InvalidBody {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+debug_as_display!(InvalidBody);
 
 impl core::error::Error for InvalidBody {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {

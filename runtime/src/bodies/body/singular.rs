@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::numbers::messages::debug_as_display;
+
 /// A configuration in which the balances do not determine an unknown.
 ///
 /// The solution divides by a quantity that depends on the configuration and vanishes here,
@@ -49,11 +51,6 @@ impl fmt::Display for Singular {
     }
 }
 
-/// The sentence of `Display`: a program prints it if its `main` returns the error.
-impl fmt::Debug for Singular {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+debug_as_display!(Singular);
 
 impl core::error::Error for Singular {}

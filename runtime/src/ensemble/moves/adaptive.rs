@@ -20,7 +20,7 @@ use crate::ensemble::blocks::{BLOCK, Eight, write};
 use crate::ensemble::evaluate::in_chunks;
 use crate::ensemble::plan::{Limits, Plan};
 use crate::integrate::{
-    Adaptive, DormandPrince, Method, RungeKuttaPair, SeriesBelow, TaylorSeries, Verner,
+    Adaptive, DormandPrince, Method, RungeKuttaPair, SeriesBelow, TaylorSeries, Verner, finest,
 };
 use crate::numbers::lanes::{Lanes, Register, Work, by_itself};
 
@@ -82,7 +82,7 @@ fn stream<B: Generic, A: Adaptive + Method<B>>(
     // what is impossible for all is reported by each alone
     let is_finite = times.start.is_finite() && times.end.is_finite();
     let reaches = limits.pace().reaches(times.start, times.end);
-    if is_finite && reaches && method.tolerance() > 0.0 {
+    if is_finite && reaches && finest(method.tolerance()) > 0.0 {
         let columns = <B::State as Columns<f64>>::COUNT;
         let (members, width) = (&ensemble.members, ensemble.width);
         in_chunks(ensemble.states.rows_mut(), columns, |first, rows| {

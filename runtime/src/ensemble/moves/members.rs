@@ -14,6 +14,7 @@ use crate::bodies::columns::Columns;
 use crate::ensemble::blocks::Blocks;
 use crate::integrate::IntegrationError;
 use crate::numbers::count::real;
+use crate::numbers::messages::debug_as_display;
 
 /// A member whose motion ended early.
 #[derive(Clone, Copy, PartialEq)]
@@ -30,12 +31,7 @@ impl<S> fmt::Display for MemberError<S> {
     }
 }
 
-/// The sentence of `Display`: a program prints it if its `main` returns the error.
-impl<S> fmt::Debug for MemberError<S> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+debug_as_display!(MemberError<S>);
 
 impl<S: 'static> core::error::Error for MemberError<S> {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {

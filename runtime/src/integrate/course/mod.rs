@@ -15,7 +15,7 @@ pub mod observed;
 #[cfg(feature = "progress")]
 pub mod progress;
 
-use control::Control;
+use control::{Control, period_is_lost};
 #[cfg(feature = "progress")]
 use progress::Bar;
 
@@ -144,8 +144,7 @@ where
             (self.input, self.held_until) = (input, until);
             self.run.renew();
             let period = self.control.period();
-            let is_lost = |period| self.end.is_finite() && self.end + period == self.end;
-            if !self.is_before(until) || period.is_some_and(is_lost) {
+            if !self.is_before(until) || period_is_lost(period, self.end) {
                 let period = period.unwrap_or(until - time);
                 let setting = (Setting::Period, period);
                 return Err(IntegrationError::too_small(setting, time, state));

@@ -6,7 +6,7 @@ use core::ops::Range;
 use super::setting::Setting;
 use crate::bodies::body::{InvalidBody, RigidBody};
 use crate::bodies::constrained::Inconsistent;
-use crate::numbers::brief::Brief;
+use crate::numbers::messages::{Brief, debug_as_display};
 use crate::state::{Coordinates, State};
 
 /// The error of an integration, with the last good state and its time.
@@ -124,7 +124,7 @@ impl<S> IntegrationError<S> {
 
     /// The setting is not positive, or gives steps that are too small.
     pub(crate) fn too_small((setting, value): (Setting, f64), time: f64, state: S) -> Self {
-        if value > 0.0 {
+        if value > 0.0 && setting != Setting::Tolerance {
             let step = value;
             Self::StepTooSmall { time, state, step }
         } else {
@@ -339,11 +339,6 @@ const DOUBLINGS: i32 = 32;
 /// Further doublings, for a fixed step that may end where the body is impossible.
 const WITHIN_A_STEP: i32 = 12;
 
-/// The sentence of `Display`: a program prints it if its `main` returns the error.
-impl<S> fmt::Debug for IntegrationError<S> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+debug_as_display!(IntegrationError<S>);
 
 impl<S> core::error::Error for IntegrationError<S> {}

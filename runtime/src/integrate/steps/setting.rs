@@ -12,7 +12,7 @@ pub enum Setting {
     End,
     /// A coordinate of the initial state, SI units: finite.
     InitialState,
-    /// The tolerance of a step: positive.
+    /// The tolerance of a step: positive and finite.
     Tolerance,
     /// The step of a method with equal steps \[s\]: positive.
     Step,
@@ -35,6 +35,7 @@ impl Setting {
     pub(super) fn must_be(self) -> &'static str {
         match self {
             Self::Start | Self::End | Self::InitialState => "finite",
+            Self::Tolerance => "positive and finite",
             _ => "positive",
         }
     }

@@ -51,7 +51,7 @@ pub(in crate::integrate) fn larger<T: Scalar>(a: T, b: T) -> T {
 /// A valid tolerance: values below rounding become the finest useful one, and an invalid tolerance
 /// becomes zero, which no step satisfies.
 pub(crate) fn finest(tolerance: f64) -> f64 {
-    if tolerance > 0.0 {
+    if tolerance > 0.0 && tolerance < f64::INFINITY {
         tolerance.max(1e-18)
     } else {
         0.0

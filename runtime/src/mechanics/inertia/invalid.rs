@@ -6,6 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::matrix::{exponent, scaled};
 use crate::mechanics::principal::diagonalized;
+use crate::numbers::messages::debug_as_display;
 
 /// [`InertiaTensor::SLACK`](super::InertiaTensor::SLACK)
 pub(super) const SLACK: f64 = 4.0 * f64::EPSILON;
@@ -109,12 +110,7 @@ impl fmt::Display for InvalidInertia {
     }
 }
 
-/// The sentence of `Display`: a program prints it if its `main` returns the error.
-impl fmt::Debug for InvalidInertia {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+debug_as_display!(InvalidInertia);
 
 impl core::error::Error for InvalidInertia {}
 

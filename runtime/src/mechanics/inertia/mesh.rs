@@ -10,6 +10,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::matrix::of_second_moments;
 use super::{InertiaTensor, InvalidInertia, MassProperties, invalid};
+use crate::numbers::messages::debug_as_display;
 
 /// Why a surface encloses no body.
 pub enum InvalidMesh {
@@ -53,12 +54,7 @@ impl fmt::Display for InvalidMesh {
     }
 }
 
-/// The sentence of `Display`: a program prints it if its `main` returns the error.
-impl fmt::Debug for InvalidMesh {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+debug_as_display!(InvalidMesh);
 
 impl core::error::Error for InvalidMesh {}
 

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::numbers::brief::Brief;
+use crate::numbers::messages::{Brief, debug_as_display};
 
 /// The number of worst entries that are kept, so that the error stays small.
 pub const FEW: usize = 3;
@@ -122,11 +122,6 @@ fn left_over(f: &mut fmt::Formatter<'_>, residual: &[Option<Off>]) -> fmt::Resul
     Ok(())
 }
 
-/// The sentence of `Display`: a program prints it if its `main` returns the error.
-impl fmt::Debug for TrimError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+debug_as_display!(TrimError);
 
 impl core::error::Error for TrimError {}

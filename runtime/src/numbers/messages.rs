@@ -1,6 +1,19 @@
-//! Numbers in messages.
+//! Messages of errors, and numbers in them.
 
 use core::fmt;
+
+/// Prints the sentence of `Display` as `Debug`, too: a program shows it if its `main` returns the
+/// error.
+macro_rules! debug_as_display {
+    ($error:ident $(<$state:ident>)?) => {
+        impl$(<$state>)? core::fmt::Debug for $error$(<$state>)? {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                core::fmt::Display::fmt(self, f)
+            }
+        }
+    };
+}
+pub(crate) use debug_as_display;
 
 /// A number to six significant digits; with all its digits beyond 1e22 and below 1e-17.
 #[derive(Clone, Copy, Debug)]

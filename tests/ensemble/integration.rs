@@ -239,7 +239,7 @@ fn steps_too_short_for_the_end() {
     let mut ensemble = spinning();
     let controlled = ensemble
         .integrate()
-        .control(1e-300, |_, _, _| Default::default())
+        .control(1e-300, |_, _, _| bodies::TurningInput::default())
         .to(0.3);
     assert!(is_refused(&controlled.unwrap_err().error));
 }

@@ -3,16 +3,16 @@
 /// The word in `known` that was probably meant by `name`.
 pub fn similar<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     // a name of one letter would be similar to every other letter
-    let tolerated = match name.chars().count() {
+    let length = name.chars().count();
+    let tolerated = match length {
         0 | 1 => 0,
         2..=5 => 1,
-        length => 1 + length / 5,
+        _ => 1 + length / 5,
     };
-    let distances = known
-        .into_iter()
-        .map(|known| (distance(name, known), known));
     let is_cased = |known: &str| known != name && known.eq_ignore_ascii_case(name);
-    distances
+    let is_as_long = |known: &&str| known.chars().count().abs_diff(length) <= tolerated;
+    let near = known.into_iter().filter(is_as_long);
+    near.map(|known| (distance(name, known), known))
         .filter(|(distance, known)| {
             (1..=tolerated).contains(distance) && known.len() > 1 || is_cased(known)
         })

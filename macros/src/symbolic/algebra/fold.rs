@@ -4,33 +4,37 @@ use crate::symbolic::graph::{Graph, Id, Node};
 
 impl Graph {
     /// `roots` without the statements `early * late` and `early + late` that are used only once,
-    /// and the images of all their parts, in order. Without a saving, `roots` are unchanged and
+    /// and the images of all their late parts, in order. Without a saving, `roots` are unchanged and
     /// there are no images.
     pub fn folded(&mut self, roots: &[Id]) -> (Vec<Id>, Vec<(Id, Id)>) {
         let last = roots.iter().max().map_or(0, |last| last.index());
         let mut uses = vec![0_u32; last + 1];
-        for id in self.reached(roots, |id| !self.is_early(id)) {
-            for operand in self.node(id).operands() {
+        let order = self.reachable(roots, |id| !self.is_early(id));
+        for id in &order {
+            for operand in self.node(*id).operands() {
                 uses[operand.index()] += 1;
             }
         }
         for root in roots {
             uses[root.index()] += 1;
         }
-        // all parts follow the roots, so that their images are returned too
-        let order = self.reachable(roots, |_| true);
-        let all = [roots, &order].concat();
-        let images = self.rebuild(&all, |graph, id, image| match *graph.node(id) {
+        let images = self.images(&order, |graph, id, image| match *graph.node(id) {
             Node::Quantity(inner) if uses[id.index()] == 1 && graph.has_early_part(inner) => {
-                image(inner)
+                if graph.is_early(id) {
+                    inner
+                } else {
+                    image(inner)
+                }
             }
+            _ if graph.is_early(id) => id,
             _ => graph.remake(id, image),
         });
-        let (folded, images) = images.split_at(roots.len());
+        let image = |id: &Id| images[id.index()];
+        let folded: Vec<Id> = roots.iter().map(image).collect();
         let cost = |roots: &[Id]| self.late_cost(roots).total();
-        if cost(folded) < cost(roots) {
-            let images = order.into_iter().zip(images.iter().copied());
-            (folded.to_vec(), images.collect())
+        if cost(&folded) < cost(roots) {
+            let images = order.iter().map(|id| (*id, image(id)));
+            (folded, images.collect())
         } else {
             (roots.to_vec(), Vec::new())
         }

@@ -22,12 +22,22 @@ impl Graph {
         make: impl Fn(&mut Self, Id, &dyn Fn(Id) -> Id) -> Id,
     ) -> Vec<Id> {
         let order = self.reachable(roots, |_| true);
-        let mut images: Vec<Id> = Vec::new();
-        images.resize(order.last().map_or(0, |last| last.index() + 1), self.zero());
-        for id in order {
-            images[id.index()] = make(self, id, &|operand| images[operand.index()]);
-        }
+        let images = self.images(&order, make);
         roots.iter().map(|root| images[root.index()]).collect()
+    }
+
+    /// The image of each node in `order`, operands first, at the place of the node.
+    pub(in crate::symbolic) fn images(
+        &mut self,
+        order: &[Id],
+        make: impl Fn(&mut Self, Id, &dyn Fn(Id) -> Id) -> Id,
+    ) -> Vec<Id> {
+        let size = order.last().map_or(0, |last| last.index() + 1);
+        let mut images = vec![self.zero(); size];
+        for id in order {
+            images[id.index()] = make(self, *id, &|operand| images[operand.index()]);
+        }
+        images
     }
 
     /// The same operation on the images of the operands.

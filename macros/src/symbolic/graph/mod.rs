@@ -6,6 +6,7 @@ mod cost;
 mod difference;
 mod hash;
 mod nodes;
+mod pending;
 mod positive;
 mod product;
 mod program;

@@ -11,6 +11,7 @@ use std::collections::HashMap;
 use crate::symbolic::number::{Foreign, Function, Number, Spectrum, Table};
 
 use super::hash::WordHasher;
+use super::pending::Pending;
 
 /// An expression in a [`Graph`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -271,25 +272,17 @@ impl Graph {
     /// All nodes of `roots`, children first; `enter` says whether the operands of a node are
     /// visited.
     pub fn reachable(&self, roots: &[Id], enter: impl Fn(Id) -> bool) -> Vec<Id> {
-        let mut found = self.reached(roots, enter);
-        found.sort_unstable();
-        found
-    }
-
-    /// The same, in arbitrary order.
-    pub(in crate::symbolic) fn reached(&self, roots: &[Id], enter: impl Fn(Id) -> bool) -> Vec<Id> {
-        let mut seen = vec![false; self.nodes.len()];
-        let mut pending = roots.to_vec();
+        let mut pending = Pending::default();
+        roots.iter().for_each(|root| pending.insert(root.0));
         let mut found = Vec::new();
-        while let Some(id) = pending.pop() {
-            if core::mem::replace(&mut seen[id.index()], true) {
-                continue;
-            }
+        while let Some(id) = pending.take_last().map(Id) {
             found.push(id);
             if enter(id) {
-                pending.extend(self.node(id).operands());
+                let operands = self.node(id).operands();
+                operands.for_each(|operand| pending.insert(operand.0));
             }
         }
+        found.reverse();
         found
     }
 

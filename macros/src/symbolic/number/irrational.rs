@@ -34,6 +34,13 @@ const COST: usize = 200;
 /// The exponent of the error of a quotient whose divisor may be zero: nothing is known about it.
 const UNKNOWN: isize = 1 << 15;
 
+thread_local! {
+    static PI: Number = {
+        let residue = Residue::stand_in(&"pi");
+        Number::settled(Term::Pi.ball(PRECISION), residue, Term::Pi).unwrap_or_else(Number::zero)
+    };
+}
+
 impl Term {
     fn cost(&self) -> usize {
         match self {
@@ -73,8 +80,7 @@ impl Term {
 
 impl Number {
     pub fn pi() -> Self {
-        let residue = Residue::stand_in(&"pi");
-        Self::settled(Term::Pi.ball(PRECISION), residue, Term::Pi).unwrap_or_else(Self::zero)
+        PI.with(Self::clone)
     }
 
     /// A value that is correct to this many bits, and of which nothing else is known.

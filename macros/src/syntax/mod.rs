@@ -5,6 +5,7 @@
 //! Nothing is looked up here, and nothing has a meaning yet.
 
 mod bare_unit;
+mod brackets;
 mod entries;
 mod expression;
 mod head;

@@ -8,7 +8,7 @@ pub use suggestions::{
     name_meant, similar, unit_of, vector_method_meant,
 };
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
 /// The part of a description that an error underlines.
@@ -110,6 +110,16 @@ impl Errors {
     ) -> Option<T> {
         self.push(place, message);
         None
+    }
+
+    /// Reports a name that nothing defines, once: it is one mistake, however often it is used.
+    pub fn undefined<T>(&mut self, name: &Ident, advice: &str) -> Option<T> {
+        let message = format!("nothing here is called `{name}`");
+        let is_it = |error: &syn::Error| error.to_string().starts_with(&message);
+        if self.found.iter().any(is_it) {
+            return None;
+        }
+        self.report(name.span(), format!("{message}{advice}"))
     }
 
     /// Registers a place in a file. Errors that are found there mention it.

@@ -9,7 +9,8 @@ pub fn similar<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
         2..=5 => 1,
         _ => 1 + length / 5,
     };
-    let is_cased = |known: &str| known != name && known.eq_ignore_ascii_case(name);
+    let is_cased =
+        |known: &str| known.len() > 1 && known != name && known.eq_ignore_ascii_case(name);
     let is_as_long = |known: &&str| known.chars().count().abs_diff(length) <= tolerated;
     let near = known.into_iter().filter(is_as_long);
     near.map(|known| (distance(name, known), known))
@@ -95,11 +96,14 @@ const VECTOR_METHODS: &Elsewhere = &[
     ("squared_norm", "norm_squared"),
     ("unit", "normalize"),
     ("normalized", "normalize"),
+    ("square", "norm_squared"),
 ];
 
 const NAMES: &Elsewhere = &[
     ("time", "t"),
     ("angle", "attitude"),
+    ("theta", "attitude"),
+    ("theta_dot", "angular_velocity"),
     ("orientation", "attitude"),
     ("quaternion", "attitude"),
     ("omega", "angular_velocity"),
@@ -144,19 +148,19 @@ const QUANTITIES: &Elsewhere = &[
     ("radius", "m"),
 ];
 /// Those of them that stay constant.
-const CONSTANT: [&str; 6] = ["mass", "g", "gravity", "stiffness", "length", "radius"];
+const CONSTANT: [&str; 7] = ["mass", "m", "g", "gravity", "stiffness", "length", "radius"];
 
 /// The unit of what a name probably means.
-pub fn unit_of(name: &str) -> &'static str {
-    let unit = name.split('_').find_map(|part| meant(part, QUANTITIES));
-    unit.unwrap_or("m")
+pub fn unit_of(name: &str) -> Option<&'static str> {
+    name.split('_').find_map(|part| meant(part, QUANTITIES))
 }
 
-/// The declaration of an unknown name that says what it is, such as `motor_torque`.
+/// The declaration of an unknown name that says what it is, such as `motor_torque` or `g`.
 pub fn declaration_meant(name: &str) -> Option<String> {
-    let mut parts = name.split('_').filter(|part| part.len() > 1);
+    let is_whole = |part: &&str| part.len() > 1 || part.len() == name.len();
+    let mut parts = name.split('_').filter(is_whole);
     let part = parts.find(|part| meant(part, QUANTITIES).is_some())?;
-    let unit = unit_of(part);
+    let unit = unit_of(part)?;
     Some(if CONSTANT.contains(&part) {
         format!("params: [{name} = 1[{unit}]]")
     } else {

@@ -1,14 +1,53 @@
 //! A description, read in order: its declarations, the body, its loads.
 
-use crate::errors::{Errors, every};
-use crate::lower::definitions::{INVERSE, LINEARIZATION, check_changing, check_names, unused};
-use crate::lower::expressions::{Lowering, Members, Scope, is_drive, is_unknown};
+use crate::errors::{Errors, every, silently, similar};
+use crate::lower::definitions::{
+    INVERSE, LINEARIZATION, Offer, check_changing, check_names, outline_under, unused,
+};
+use crate::lower::expressions::{
+    Lowering, Members, Scope, is_drive, is_unknown, motion, written_motion,
+};
 use crate::lower::loads::check_states;
 use crate::model::{
-    Checks, Declared, Defaults, Drawn, ENTRIES, Inertia, Labels, Mass, Model, Outline, Reaction,
-    Workspace, state_symbols,
+    Checks, Declared, Defaults, Drawn, ENTRIES, Inertia, Labels, MOTIONS, Mass, Model, Motion,
+    Outline, Reaction, SPATIAL, Workspace, state_symbols,
 };
 use crate::syntax::{self, Description};
+
+/// The outline of `description`. Without a valid motion, the most likely motion is assumed.
+pub fn outline(
+    description: &Description,
+    offers: &[&'static Offer],
+    errors: &mut Errors,
+) -> Outline {
+    let motion = written_motion(description)
+        .or_else(|| similar_motion(description))
+        .unwrap_or_else(|| likely_motion(description, offers));
+    outline_under(motion, description, offers, errors)
+}
+
+/// The motion that a misspelt word means.
+fn similar_motion(description: &Description) -> Option<Motion> {
+    let word = description.motion.as_ref()?.word.to_string();
+    similar(&word, MOTIONS.iter().map(|motion| motion.word)).and_then(motion)
+}
+
+/// The motion under which the rest of a description has the fewest errors, so that those that follow
+/// from another motion are not reported.
+fn likely_motion(description: &Description, offers: &[&'static Offer]) -> Motion {
+    let mistakes = |motion: &Motion| {
+        let count = silently(|errors| {
+            let mut outline = outline_under(motion, description, offers, errors);
+            lower_description(description, &mut outline, errors);
+            errors.count()
+        });
+        (count, motion.word != SPATIAL.word)
+    };
+    let candidates = MOTIONS.into_iter();
+    let candidates = candidates.filter(|motion| !motion.is_supported() && !motion.is_line());
+    let likely = candidates.min_by_key(mistakes);
+    likely.unwrap_or(&SPATIAL)
+}
 
 /// Gives a description its meaning. `None` if there was any error.
 pub fn lower_description(

@@ -7,7 +7,7 @@ mod inertia;
 mod loads;
 mod system;
 
-pub use definitions::{FLOW, INVERSE, LINEARIZATION, Offer, outline};
-pub use description::lower_description;
+pub use definitions::{FLOW, INVERSE, LINEARIZATION, Offer};
+pub use description::{lower_description, outline};
 pub use expressions::{is_drive, is_unknown};
 pub use system::{lower_system, outline_system, targets};

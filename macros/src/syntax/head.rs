@@ -5,7 +5,7 @@ use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use crate::errors::{Errors, Extent};
 
 use super::Description;
-use super::tokens::{is_punct, skip_attributes, start, stream};
+use super::tokens::{after_sign, is_punct, skip_attributes, start, stream};
 use super::words::check_name;
 
 /// Types, which cannot be names of parameters.
@@ -26,9 +26,15 @@ pub fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Descripti
     let rest = from_name(rest, errors)?;
     let [TokenTree::Ident(name), rest @ ..] = rest else {
         let place = rest.first().map_or_else(Span::call_site, start);
-        return errors.report(place, "expected the name of the body, as in `Name { .. }`");
+        return errors.report(place, "expected a name in front of this: `Name { .. }`");
     };
-    check_name(name, "the name of the body", errors)?;
+    if is_key(rest) {
+        return errors.report(
+            name.span(),
+            "a description is a name, and its keys in braces: write `Name { .. }`",
+        );
+    }
+    check_name(name, "a name", errors)?;
     let is_group = |token: &TokenTree| matches!(token, TokenTree::Group(_));
     let Some(position) = rest.iter().position(is_group) else {
         let place = rest.first().map_or(name.span(), start);
@@ -42,6 +48,10 @@ pub fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Descripti
     let TokenTree::Group(body) = &rest[position] else {
         return None;
     };
+    // any other bracket belongs to what stands in place of the braces, which is reported
+    if body.delimiter() != Delimiter::Brace && !between.is_empty() && scalar.is_none() {
+        return None;
+    }
     if body.delimiter() != Delimiter::Brace {
         errors.push(
             body.span_open(),
@@ -57,6 +67,13 @@ pub fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Descripti
     let mut description = Description::new(name.clone(), runtime.stream());
     description.scalar = scalar;
     Some((description, body.stream()))
+}
+
+/// Whether these tokens follow a key: a colon, and a value other than braces.
+fn is_key(rest: &[TokenTree]) -> bool {
+    let value = after_sign(rest, ':').map(|(_, value)| value);
+    let is_brace = |token: &TokenTree| matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
+    value.is_some_and(|value| !matches!(value, [first] if is_brace(first)))
 }
 
 /// Skips and reports tokens that Rust would allow before a name.
@@ -79,6 +96,13 @@ fn from_name<'t>(tokens: &'t [TokenTree], errors: &mut Errors) -> Option<&'t [To
                 _ => Some(rest),
             }
         }
+        [TokenTree::Ident(word), TokenTree::Ident(_), ..] if word == "struct" || word == "enum" => {
+            errors.push(
+                word.span(),
+                format!("a description begins with its name: leave `{word}` out"),
+            );
+            Some(&tokens[1..])
+        }
         [_, ..] => Some(tokens),
         [] => errors.report(
             Span::call_site(),
@@ -91,7 +115,8 @@ fn from_name<'t>(tokens: &'t [TokenTree], errors: &mut Errors) -> Option<&'t [To
 /// malformed, any name stands in for it.
 fn parse_scalar(name: &Ident, between: &[TokenTree], errors: &mut Errors) -> Option<Ident> {
     let first = between.first()?;
-    if !is_punct(first, '<') && !is_punct(first, ':') {
+    let is_path = is_punct(first, ':') && after_sign(between, ':').is_none();
+    if !is_punct(first, '<') && !is_path {
         return errors.report(first.span(), format!("expected a brace: `{name} {{ .. }}`"));
     }
     let scalar = match between {

@@ -5,6 +5,7 @@
 //! Nothing is looked up here, and nothing has a meaning yet.
 
 mod bare_unit;
+mod brackets;
 mod entries;
 mod expression;
 mod head;
@@ -25,7 +26,7 @@ use crate::errors::Extent;
 
 use crate::families::Family;
 use crate::families::LoadKind;
-pub use entries::{Composition, Constant, Function, Part, parse_description};
+pub use entries::{Composition, Constant, Function, Part, key_meant, parse_description};
 pub use expression::{Called, Expression, Kind, Operator, Prefix, Step, call};
 pub use motion::{ROD, SUPPORTS};
 pub use system::{CABLE, Center, File, LINK, System, file_beside, parse_system};

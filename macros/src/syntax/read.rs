@@ -255,7 +255,8 @@ impl Reader<'_> {
             BinOp::And(_) => Operator::And,
             BinOp::Or(_) => Operator::Or,
             BinOp::BitXor(_) => {
-                let message = "`^` is a power only inside unit brackets: write `.powi(2)`";
+                let message = "`^` is a power only inside unit brackets: write `x.powi(2)`; of a vector \
+                               `v.norm_squared()`, and along it `v.norm() * v`";
                 return self.refuse(operator, message);
             }
             BinOp::Rem(_) => {

@@ -9,7 +9,10 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Spacing, Span, TokenStream, 
 use crate::errors::{Errors, Extent};
 
 use super::bare_unit::{BareUnit, lacks_brackets};
-use super::tokens::{argument_name, group_beyond, is_punct, start, token_beyond};
+use super::brackets::meant;
+use super::tokens::{
+    argument_name, group_beyond, has_comma, is_parenthesised, is_punct, start, token_beyond,
+};
 use super::unit::UnitExpression;
 use super::words::is_keyword;
 
@@ -91,8 +94,8 @@ impl Screen<'_> {
             }
             let read = match token {
                 TokenTree::Group(group) => {
-                    let group = self.group(group, before, depth + nested.depth(), function);
-                    shown.push(group);
+                    let group = &meant(group, before, self.errors);
+                    shown.push(self.group(group, before, depth + nested.depth(), function));
                     Some(1)
                 }
                 TokenTree::Ident(word) if lacks_brackets(before, word) => {
@@ -174,7 +177,7 @@ impl Screen<'_> {
                 let inner = self.stream(group.stream(), depth + 1, function);
                 Group::new(Delimiter::Bracket, inner)
             }
-            Delimiter::Bracket => {
+            Delimiter::Bracket | Delimiter::Brace if is_list(group, before) => {
                 let (place, message) = match function {
                     Some(word) if word == "compose" => (
                         word.span(),
@@ -375,6 +378,12 @@ impl Nested {
     }
 }
 
+/// Whether brackets hold a list in place of an operand.
+fn is_list(group: &Group, before: Option<&TokenTree>) -> bool {
+    let is_alone = !before.is_some_and(ends_operand);
+    group.delimiter() == Delimiter::Bracket || is_alone && has_comma(group)
+}
+
 /// Whether square brackets after this token would hold a unit.
 fn ends_operand(token: &TokenTree) -> bool {
     match token {
@@ -382,15 +391,4 @@ fn ends_operand(token: &TokenTree) -> bool {
         TokenTree::Literal(_) | TokenTree::Group(_) => true,
         TokenTree::Punct(_) => false,
     }
-}
-
-fn is_parenthesised(token: &TokenTree) -> bool {
-    matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis)
-}
-
-fn has_comma(group: &Group) -> bool {
-    group
-        .stream()
-        .into_iter()
-        .any(|token| is_punct(&token, ','))
 }

@@ -195,3 +195,14 @@ pub fn string(value: &[TokenTree]) -> Option<LitStr> {
         _ => None,
     }
 }
+
+pub fn is_parenthesised(token: &TokenTree) -> bool {
+    matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis)
+}
+
+pub fn has_comma(group: &Group) -> bool {
+    group
+        .stream()
+        .into_iter()
+        .any(|token| is_punct(&token, ','))
+}

@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 use crate::lower::expressions::{Lowering, Value};
 use crate::model::{Defaults, Dimension, Frame, Mass, Outline, Point, Workspace, shown};
 use crate::symbolic::{Graph, Id};
-use crate::syntax::{Composition, Description, Expression};
+use crate::syntax::{Composition, Description, Expression, Kind};
 
 use super::order::{Definition, definition_order, split_at_axis, split_at_support};
 use super::outline;
@@ -274,7 +274,15 @@ impl Lowering<'_> {
             return;
         }
         self.scope.define("mass", None);
-        if motion_is_known {
+        // one that stands behind the inertia is reported there
+        let inertia = description
+            .inertia
+            .as_ref()
+            .and_then(|inertia| inertia.value.as_ref());
+        let is_misplaced = inertia.is_some_and(
+            |inertia| matches!(&inertia.kind, Kind::Method(_, method, _) if method == "mass"),
+        );
+        if motion_is_known && !is_misplaced {
             let name = &description.name;
             self.errors.push(
                 name.span(),

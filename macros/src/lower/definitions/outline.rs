@@ -5,12 +5,12 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
-use crate::errors::{Errors, hint, similar};
+use crate::errors::{Errors, hint};
 use crate::families::LoadKind;
 use crate::lower::expressions::{
-    has_placeholder, is_drive, is_turning_drive, is_unknown, motion, written_frame, written_motion,
+    has_placeholder, is_drive, is_turning_drive, is_unknown, written_frame, written_motion,
 };
-use crate::model::{Asked, Declared, Dimension, Joint, MOTIONS, Motion, Outline, PLANAR, SPATIAL};
+use crate::model::{Asked, Declared, Dimension, Joint, MOTIONS, Motion, Outline};
 use crate::symbolic::Number;
 use crate::syntax::{self, Declaration, Description, Expression, Kind, ROD, SUPPORTS};
 
@@ -47,14 +47,14 @@ impl Offer {
     }
 }
 
-/// The outline of `description`. Without a valid motion, the most likely motion is assumed.
-pub fn outline(
+/// The outline of `description` under this motion.
+pub fn outline_under(
+    motion: Motion,
     description: &Description,
     offers: &[&'static Offer],
     errors: &mut Errors,
 ) -> Outline {
     check_motion(description, errors);
-    let motion = written_motion(description).unwrap_or_else(|| likely_motion(description));
     let declared = |declarations| {
         let each =
             distinct(declarations).map(|declaration| declared(declaration, description, motion));
@@ -127,40 +127,6 @@ pub fn distinct(declarations: &[Declaration]) -> impl Iterator<Item = &Declarati
     declarations
         .iter()
         .filter(move |declaration| seen.insert(declaration.name.to_string()))
-}
-
-/// The most likely motion of a description without a valid one, so that the rest of it can
-/// be checked.
-fn likely_motion(description: &Description) -> Motion {
-    let word = description
-        .motion
-        .as_ref()
-        .map(|motion| motion.word.to_string());
-    let word = word.unwrap_or_default();
-    let meant = similar(&word, MOTIONS.iter().map(|motion| motion.word));
-    if let Some(motion) = meant.and_then(motion) {
-        return motion;
-    }
-    let points = description.points.iter().map(|point| &point.value);
-    let loads = description.loads.iter().map(|load| &load.vector);
-    let mut vectors = points.chain(loads).flatten();
-    match vectors.find_map(component_count) {
-        Some(2) => &PLANAR,
-        _ => &SPATIAL,
-    }
-}
-
-/// The number of components of the first vector in an expression.
-fn component_count(expression: &Expression) -> Option<usize> {
-    let mut count = None;
-    expression.visit(|part| match &part.kind {
-        Kind::Call(word, parts) if word == "body" || word == "world" => {
-            count = count.or(Some(parts.len()));
-        }
-        Kind::Tuple(parts) => count = count.or(Some(parts.len())),
-        _ => {}
-    });
-    count
 }
 
 fn check_motion(description: &Description, errors: &mut Errors) {

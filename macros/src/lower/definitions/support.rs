@@ -130,7 +130,12 @@ impl Lowering<'_> {
         written: &Expression,
         defaults: &Defaults,
     ) -> Option<(Frame, crate::symbolic::Components)> {
-        let vector = self.vector(written, Dimension::ANY, "a direction")?;
+        let axes = if self.motion.is_line() {
+            "body"
+        } else {
+            "world"
+        };
+        let vector = self.direction_in(axes, written, Dimension::ANY)?;
         self.check_no_unit(written)?;
         let (frame, components) = match *self.work.parts(vector) {
             [(Frame::WORLD, _)] if self.motion.is_line() => {

@@ -2,22 +2,25 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::{declaration_meant, similar, unit_of};
+use crate::errors::{declaration_meant, function_meant, hint, name_meant, similar, unit_of};
 use crate::model::{Attitude, Dimension, Frame, Meaning, Point, Variable, Vector};
 use crate::symbolic::{Components, Number, Stage};
+use crate::syntax::{Expression, key_meant};
 use crate::units::is_unit;
 
 use super::along_axis::UNTURNED;
 use super::lowering::Lowering;
 use super::scope::Value;
 use super::scope::{BUILT_IN, FOLLOWED};
+use super::written::short;
 
 /// The error for `ground` used as a point.
 pub const POINT_OF_GROUND: &str =
     "a point of the ground is written by its coordinates: `world(..)`";
 
 impl Lowering<'_> {
-    pub fn name(&mut self, name: &Ident) -> Option<Value> {
+    /// The value of a name. If it is unknown, the error says how to declare one of this dimension.
+    pub fn name(&mut self, name: &Ident, expected: Dimension) -> Option<Value> {
         let word = name.to_string();
         if let Some(value) = self.scope.look_up(&word) {
             return value;
@@ -67,7 +70,7 @@ impl Lowering<'_> {
                 let rate = self.state.angular_acceleration;
                 Some(self.turning(rate, Dimension::ANGULAR_ACCELERATION))
             }
-            _ => self.unknown_name(name),
+            _ => self.unknown_name(name, expected),
         }
     }
 
@@ -83,12 +86,17 @@ impl Lowering<'_> {
         let body = self.members.declared.first();
         let body = body.map_or("arm", String::as_str);
         let call = if word == "body" { "(..)" } else { "" };
-        let message = format!("of which body? write for example `{body}.{word}{call}`");
+        let message = match self.members.with_joint(&word) {
+            Some(of_joint) => {
+                format!("of which body or joint? write for example `{body}.{word}` or `{of_joint}`")
+            }
+            None => format!("of which body? write for example `{body}.{word}{call}`"),
+        };
         self.report(name.span(), message)
     }
 
     /// Reports a name that has no value, or none here.
-    fn unknown_name(&mut self, name: &Ident) -> Option<Value> {
+    fn unknown_name(&mut self, name: &Ident, expected: Dimension) -> Option<Value> {
         let word = name.to_string();
         let message = match word.as_str() {
             "mass" => "this body has no mass: write `mass: ..`".to_owned(),
@@ -96,6 +104,11 @@ impl Lowering<'_> {
                 format!("`{}` is a keyword of Rust, and no name here", &keyword[2..])
             }
             "ground" if !self.members.bodies.is_empty() => POINT_OF_GROUND.to_owned(),
+            key if key_meant(key) == Some(key) => {
+                format!(
+                    "`{key}` is a key and no name: a value that is used twice stands in `params`"
+                )
+            }
             _ if self.scope.constraint(&word).is_some() => {
                 format!("`{word}` is a constraint: write its gradient, `{word}.gradient()`")
             }
@@ -117,20 +130,96 @@ impl Lowering<'_> {
             }
             _ => {
                 let of_body = self.members.with_body(&word).filter(|_| self.is_whole);
-                let of_joint = self.members.with_joint(&word).filter(|_| self.is_whole);
+                let of_joint = self
+                    .members
+                    .coordinate_meant(&word)
+                    .filter(|_| self.is_whole);
                 match (of_body, of_joint) {
                     (Some(named), _) => format!("of which body? write for example `{named}`"),
                     (_, Some(named)) => format!("of which joint? write for example `{named}`"),
-                    _ => format!("nothing here is called `{word}`{}", self.advice(&word)),
+                    _ => {
+                        let advice = self.advice(&word, expected);
+                        if !advice.contains("did you mean") {
+                            return self.errors.undefined(name, &advice);
+                        }
+                        format!("nothing here is called `{word}`{advice}")
+                    }
                 }
             }
         };
         self.report(name.span(), message)
     }
 
+    /// What to write instead of a call of a name that has another meaning. The outer `None` stands
+    /// for a reported error.
+    #[allow(clippy::option_option, reason = "outer: reported; inner: no such name")]
+    fn not_called(&mut self, name: &Ident, arguments: &[Expression]) -> Option<Option<String>> {
+        let word = name.to_string();
+        if self.members.body(&word).is_some() {
+            return Some(Some(format!(
+                "`{word}` is a body: a vector in its axes is `{word}.body(..)`"
+            )));
+        }
+        let is_built_in = BUILT_IN.contains(&&*word) || FOLLOWED.contains(&&*word);
+        if !is_built_in && !self.scope.knows(&word) && !self.members.has(&word) {
+            return Some(None);
+        }
+        self.check_has_body(name)?;
+        let is_of_point = ["position", "velocity", "acceleration"].contains(&&*word);
+        Some(Some(match arguments {
+            [] => format!("`{word}` is no function: write it without parentheses"),
+            [point] if is_of_point => {
+                let point = short(point).unwrap_or_else(|| "P".to_owned());
+                format!("`{word}` is a method of points: write `{point}.{word}()`")
+            }
+            _ => format!(
+                "`{word}` is no function: a product is written with `*`, as in `{word} * (..)`"
+            ),
+        }))
+    }
+
+    /// Reports a call of something that is no function.
+    pub fn unknown_function(
+        &mut self,
+        function: &Ident,
+        arguments: &[Expression],
+    ) -> Option<Value> {
+        self.visit(arguments);
+        let word = function.to_string();
+        if word == "ground" && self.members.is_system() {
+            return self.report(function.span(), POINT_OF_GROUND);
+        }
+        if let Some(message) = self.not_called(function, arguments)? {
+            return self.report(function.span(), message);
+        }
+        let functions = self.work.functions.iter();
+        let own: Vec<String> = functions.map(|one| one.name.to_string()).collect();
+        let known = own
+            .iter()
+            .map(String::as_str)
+            .chain(["body", "world", "table"]);
+        let mut advice = hint(&word, known);
+        if let Some(meant) = function_meant(&word) {
+            advice = format!("; did you mean `x.{meant}(..)`?");
+        } else if advice.is_empty() {
+            let form = format!("functions: [{word}(x[m]) = {word}[N]]");
+            advice = format!("; a function of Rust is declared with its units, as in `{form}`");
+        }
+        let message = format!("there is no function `{word}` here{advice}");
+        self.report(function.span(), message)
+    }
+
     /// What was probably meant by an unknown name.
-    fn advice(&self, word: &str) -> String {
-        let hint = self.members.hint(word, self.scope.known());
+    fn advice(&self, word: &str, expected: Dimension) -> String {
+        let known = self.scope.known().filter(|known| self.has_quantity(known));
+        let mut hint = self.members.hint(word, known);
+        if let (Some(meant), Some(body)) = (name_meant(word), self.members.declared.first())
+            && self.is_whole
+            && BUILT_IN.contains(&meant)
+            && meant != "t"
+        {
+            hint = format!("; write for example `{body}.{meant}`");
+        }
         let is_similar = |known| is_constant(known) && similar(word, [known]).is_some();
         let is_meant = |known| similar(word, [known]).is_some();
         if let Some(quantity) = self.quantity(word)
@@ -139,16 +228,7 @@ impl Lowering<'_> {
             return format!("; write `{quantity}`");
         }
         if hint.is_empty() && (is_letter(word) || declaration_meant(word).is_some()) {
-            let declared = declaration_meant(word).unwrap_or_else(|| {
-                let name = word.to_lowercase();
-                format!("params: [{name} = 1[{}]]", unit_of(&name))
-            });
-            let constant = if is_letter(word) {
-                self.of_rust(word)
-            } else {
-                String::new()
-            };
-            return format!("; declare it, as in `{declared}`{constant}");
+            return format!("; declare it, as in `{}`", declaration(word, expected));
         }
         if is_unit(word) && hint.is_empty() {
             format!("; a unit stands in brackets, as in `2[{word}]`")
@@ -156,6 +236,15 @@ impl Lowering<'_> {
             self.of_rust(word)
         } else {
             hint
+        }
+    }
+
+    /// Whether this motion has the quantity of a built-in name.
+    fn has_quantity(&self, name: &str) -> bool {
+        match name {
+            "attitude" | "angular_velocity" | "angular_acceleration" => self.motion.has_attitude(),
+            "position" | "velocity" | "acceleration" => self.motion.knows_position(),
+            _ => true,
         }
     }
 
@@ -185,10 +274,8 @@ impl Lowering<'_> {
         if self.scope.known().any(|known| known == name) {
             name.push_str("_given");
         }
-        let form = format!(
-            "constants: [{name} = {word}[{}]]",
-            unit_of(&word.to_lowercase())
-        );
+        let unit = unit_of(&word.to_lowercase()).unwrap_or("m");
+        let form = format!("constants: [{name} = {word}[{unit}]]");
         format!("; a constant of Rust is declared with its unit, as in `{form}`")
     }
 
@@ -283,9 +370,26 @@ impl Lowering<'_> {
     }
 }
 
-/// Whether a name is one capital letter, as of a constant of Rust or a symbol of a textbook.
+/// Whether a name is one letter, as of a symbol of a textbook. A small one may be a unit.
 fn is_letter(word: &str) -> bool {
-    word.len() == 1 && word.chars().all(char::is_uppercase)
+    let is_unit = is_unit(word) && !word.chars().all(char::is_uppercase);
+    word.len() == 1 && word.chars().all(char::is_alphabetic) && !is_unit
+}
+
+/// The declaration of an unknown name: in the unit that is expected, if it is known, or else in
+/// that of what the name says.
+fn declaration(word: &str, expected: Dimension) -> String {
+    let meant = declaration_meant(word);
+    let is_input = meant
+        .as_ref()
+        .is_some_and(|meant| meant.starts_with("inputs"));
+    match meant {
+        _ if expected == Dimension::NONE => format!("params: [{word} = 1]"),
+        _ if expected.is_known() && is_input => format!("inputs: [{word}{}]", expected.unit()),
+        _ if expected.is_known() => format!("params: [{word} = 1{}]", expected.unit()),
+        Some(meant) => meant,
+        None => format!("params: [{word}]"),
+    }
 }
 
 /// Whether a name looks like that of a constant of Rust.

@@ -20,7 +20,7 @@ impl Lowering<'_> {
         }
         let value = match &expression.kind {
             Kind::Number(digits) => self.number(digits, extent),
-            Kind::Name(name) => self.name(name),
+            Kind::Name(name) => self.name(name, Dimension::ANY),
             Kind::Poisoned => None,
             Kind::Placeholder => self.report(extent, UNKNOWN),
             Kind::Text(_) => self.report(extent, "expected a number"),

@@ -8,7 +8,6 @@ use crate::model::{Dimension, Frame, is_solid};
 use crate::symbolic::{Function, Id, Number};
 use crate::syntax::{Expression, Kind, Prefix};
 
-use super::built_in::POINT_OF_GROUND;
 use super::lowering::Lowering;
 use super::scope::Value;
 use super::unit::TOO_LARGE;
@@ -24,6 +23,11 @@ pub const VECTOR_METHODS: [&str; 7] = [
     "in_world",
 ];
 const SCALAR_METHODS: [&str; 3] = ["powi", "clamp", "recip"];
+
+/// Whether a word is a function of scalars.
+pub fn is_function(word: &str) -> bool {
+    Function::from_name(word).is_some() || SCALAR_METHODS.contains(&word)
+}
 
 impl Lowering<'_> {
     pub fn call(
@@ -53,13 +57,15 @@ impl Lowering<'_> {
                 function.span(),
                 "`moment(..)` stands alone behind the name of a reaction or a field",
             ),
-            _ if word == "principal" || is_solid(function) => self.report(
+            "principal" | "tensor" | "products" => self.report(
                 function.span(),
                 format!("`{word}(..)` is an inertia: it stands behind `inertia:`"),
             ),
-            _ if Function::from_name(&word).is_some()
-                || SCALAR_METHODS.contains(&word.as_str()) =>
-            {
+            _ if is_solid(function) => self.report(
+                function.span(),
+                format!("`{word}(..)` is an inertia: it stands behind `inertia:`"),
+            ),
+            _ if is_function(&word) => {
                 let form = as_method(function, arguments);
                 self.report(
                     function.span(),
@@ -81,29 +87,6 @@ impl Lowering<'_> {
         }
     }
 
-    fn unknown_function(&mut self, function: &Ident, arguments: &[Expression]) -> Option<Value> {
-        self.visit(arguments);
-        let word = function.to_string();
-        if word == "ground" && self.members.is_system() {
-            return self.report(function.span(), POINT_OF_GROUND);
-        }
-        let functions = self.work.functions.iter();
-        let own: Vec<String> = functions.map(|one| one.name.to_string()).collect();
-        let known = own
-            .iter()
-            .map(String::as_str)
-            .chain(["body", "world", "table"]);
-        let mut advice = hint(&word, known);
-        if let Some(meant) = function_meant(&word) {
-            advice = format!("; did you mean `x.{meant}(..)`?");
-        } else if advice.is_empty() {
-            let form = format!("functions: [{word}(x[m]) = {word}[N]]");
-            advice = format!("; a function of Rust is declared with its units, as in `{form}`");
-        }
-        let message = format!("there is no function `{word}` here{advice}");
-        self.report(function.span(), message)
-    }
-
     pub fn method(
         &mut self,
         value: Value,
@@ -116,6 +99,12 @@ impl Lowering<'_> {
             return self.carried_point(body, offset, method, arguments);
         }
         match word.as_str() {
+            "at" if matches!(value, Value::Scalar(..)) => {
+                return self.report(
+                    method.span(),
+                    "`.at(P)` stands behind a load, which is a vector, and this is a scalar",
+                );
+            }
             "at" => {
                 return self.report(
                     method.span(),

@@ -13,7 +13,7 @@ use crate::syntax::{Expression, Kind};
 
 use super::scope::Value;
 use super::scope::{Members, Scope};
-use super::written::short;
+use super::written::{axis_meant, short};
 
 /// Messages that several places use.
 pub const AXES: &str = "in which axes? write `body(..)` or `world(..)` in front of the parentheses";
@@ -97,7 +97,11 @@ impl Lowering<'_> {
                 format!("{what} is a scalar, and this has {count} components"),
             );
         }
-        match self.value(expression)? {
+        let value = match &expression.kind {
+            Kind::Name(name) if !self.members.has(&name.to_string()) => self.name(name, dimension),
+            _ => self.value(expression),
+        };
+        match value? {
             Value::Scalar(id, found) if found.fits(dimension) => Some(id),
             Value::Scalar(_, found) => self.mismatch(expression, dimension, found, what),
             other => self.report(
@@ -132,7 +136,10 @@ impl Lowering<'_> {
                     _ => "world",
                 };
                 let zeros = if self.motion.is_planar { "0" } else { "0, 0" };
-                let form = format!("{axes}({zeros}, {})", text.as_deref().unwrap_or("1"));
+                let form = match text {
+                    Some(text) => format!("{axes}({zeros}, {text})"),
+                    None => format!("(..) * {axes}({zeros}, 1)"),
+                };
                 self.report(
                     expression.extent,
                     format!("{what} is a vector, and this is a scalar: write for example `{form}`"),
@@ -142,6 +149,26 @@ impl Lowering<'_> {
                 expression.extent,
                 format!("{what} is a vector, and this is {}", other.kind()),
             ),
+        }
+    }
+
+    /// A direction of any length. If it is only the name of an axis, the error writes it out in
+    /// these axes.
+    pub fn direction_in(
+        &mut self,
+        axes: &str,
+        expression: &Expression,
+        dimension: Dimension,
+    ) -> Option<Vector> {
+        let names = expression.names();
+        let is_known = names.iter().any(|name| self.scope.knows(&name.to_string()));
+        match axis_meant(expression, self.motion.axes()) {
+            Some(axis) if !is_known => {
+                let message =
+                    format!("a direction is a vector: write for example `{axes}({axis})`");
+                self.report(expression.extent, message)
+            }
+            _ => self.vector(expression, dimension, "a direction"),
         }
     }
 
@@ -346,7 +373,8 @@ impl Lowering<'_> {
     pub fn check_unitless(&mut self, found: Dimension, place: Extent) -> Option<()> {
         if found.is_known() {
             let found = found.described();
-            return self.report(place, format!("this has a unit already: it is {found}"));
+            let message = format!("the value is {found} already: leave this unit out");
+            return self.report(place, message);
         }
         Some(())
     }

@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::hint;
+use crate::errors::{hint, name_meant};
 use crate::model::{Frame, Vector};
 use crate::syntax::{Expression, Kind};
 
@@ -59,17 +59,35 @@ impl Lowering<'_> {
                 Some(arguments) if word == "body" => {
                     self.vector_of_body(body, arguments, expression)
                 }
-                Some(_) => {
-                    let message = format!(
-                        "write `{named}.{word}`, without parentheses, or `{named}.G.{word}()`"
-                    );
+                Some(_) => self.part_of_body(body, word).and_then(|_| {
+                    let message = format!("write `{named}.{word}`, without parentheses");
                     self.report(word.span(), message)
-                }
+                }),
                 None => self.part_of_body(body, word),
             });
         }
-        let joint = members.joint(&named)?;
+        let Some(joint) = members.joint(&named) else {
+            let is_missing = self.is_missing(&named);
+            return is_missing.then(|| self.errors.undefined(name, &missing_member(name)));
+        };
         Some(self.part_of_joint((name, joint), word, arguments.is_some()))
+    }
+
+    /// Whether a name in front of a point or a coordinate is that of a body or a joint which is not
+    /// described.
+    fn is_missing(&mut self, name: &str) -> bool {
+        let members = self.members;
+        let mut others = members
+            .declared
+            .iter()
+            .chain(&members.late)
+            .chain(&self.reactions);
+        let is_known = others.any(|known| known == name)
+            || name == "ground"
+            || name.starts_with("r#")
+            || self.scope.known().any(|known| known == name)
+            || self.scope.look_up(name).is_some();
+        members.is_system() && !is_known && members.hint(name, self.scope.known()).is_empty()
     }
 
     /// `elbow.angle`
@@ -111,7 +129,7 @@ impl Lowering<'_> {
             }
             None => {
                 let words: Vec<&str> = joint.values.iter().map(|(name, _)| *name).collect();
-                let hint = hint(&written, words.iter().copied());
+                let hint = hint_of_name(&written, words.iter().copied());
                 format!(
                     "the joint `{name}` has `{}`, and no `{written}`{hint}",
                     words.join("`, `")
@@ -174,14 +192,21 @@ impl Lowering<'_> {
         let message = if is_unknown {
             "this is fixed: it cannot depend on how the system moves".to_owned()
         } else if ["attitude", "angle", "rotation", "orientation"].contains(&written.as_str()) {
+            let angle = self.members.with_joint("angle");
+            let angle = angle.map_or(String::new(), |angle| format!(", such as `{angle}`"));
+            let axis = if self.motion.is_planar {
+                "1, 0"
+            } else {
+                "1, 0, 0"
+            };
             format!(
-                "the attitude of `{name}` follows from its joints: write what you need of it with the \
-                     angles of these, or with vectors"
+                "the attitude of `{name}` follows from its joints: write their angles{angle}, or a direction of \
+                 `{name}`, `{name}.body({axis}).in_world()`"
             )
         } else {
             let points = ["G"].into_iter();
             let points = points.chain(known.points.iter().map(|(name, _)| name.as_str()));
-            let mut hint = hint(&written, points.clone().chain(of_state));
+            let mut hint = hint_of_name(&written, points.clone().chain(of_state));
             if hint.is_empty() {
                 let all: Vec<&str> = points.take(LISTED).collect();
                 hint = format!("; it has `{}`", all.join("`, `"));
@@ -238,6 +263,19 @@ impl Lowering<'_> {
                 self.report(name.span(), format!("there is no body `{name}`{hint}"))
             }
         }
+    }
+}
+
+/// The end of the error for the name of a body or a joint that is not described.
+pub fn missing_member(name: &Ident) -> String {
+    format!(": bodies stand in `bodies`, as `{name} {{ mass: 1[kg], .. }}`, and joints in `joints`")
+}
+
+/// The end of a message about an unknown word: one of `known` that it means or resembles.
+fn hint_of_name<'a>(word: &str, known: impl Iterator<Item = &'a str> + Clone) -> String {
+    match name_meant(word).filter(|meant| known.clone().any(|known| known == *meant)) {
+        Some(meant) => format!("; did you mean `{meant}`?"),
+        None => hint(word, known),
     }
 }
 

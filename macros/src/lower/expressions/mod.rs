@@ -19,6 +19,7 @@ mod written;
 pub use along_axis::UNTURNED;
 pub use gradient::of_gradient;
 pub use lowering::{Lowering, dimension};
+pub use members::missing_member;
 pub use scope::{
     BUILT_IN, BodyMotion, BodyNames, JointNames, Members, OF_ROD, Offset, Scope, Value,
 };

@@ -362,6 +362,14 @@ impl Members {
         Some(format!("{}.{coordinate}", joint.name))
     }
 
+    /// The coordinate of a joint that a word means, such as `elbow.angle`.
+    pub fn coordinate_meant(&self, word: &str) -> Option<String> {
+        let meant = name_meant(word);
+        let all = [Some(word), meant, meant.and(Some("angle"))];
+        let mut found = all.into_iter().flatten();
+        found.find_map(|coordinate| self.with_joint(coordinate))
+    }
+
     /// `upper.tip`, if the body `upper` has a point `tip`.
     pub fn with_body(&self, point: &str) -> Option<String> {
         let mut bodies = self.bodies.iter();

@@ -8,7 +8,7 @@ use crate::symbolic::{Components, Function, Id};
 use crate::syntax::{Expression, Kind};
 
 use super::along_axis::UNTURNED;
-use super::functions::VECTOR_METHODS;
+use super::functions::{VECTOR_METHODS, is_function};
 use super::lowering::{Lowering, OfPoint, dimension};
 use super::scope::Value;
 use super::unit::TOO_LARGE;
@@ -57,6 +57,13 @@ impl Lowering<'_> {
         let word = method.to_string();
         let (vector, of_vector) = (self.as_vector(value)?, dimension(value)?);
         if !VECTOR_METHODS.contains(&word.as_str()) {
+            if is_function(&word) && word != "abs" {
+                let message = format!(
+                    "`{word}` is of scalars, and this is a vector: take a component of it, its \
+                     `.norm()` or `.norm_squared()`"
+                );
+                return self.report(method.span(), message);
+            }
             let hint = match vector_method_meant(&word) {
                 Some(meant) => format!("; did you mean `{meant}`?"),
                 None => hint(&word, VECTOR_METHODS),

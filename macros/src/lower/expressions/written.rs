@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use crate::errors::Extent;
 use crate::families::Family;
 use crate::model::{FrameWord, MOTIONS, Motion, is_solid};
-use crate::syntax::{self, Description, Expression, Kind, Operator};
+use crate::syntax::{self, Description, Expression, Kind, Operator, Prefix};
 
 /// Whether a load has unknown components.
 pub fn is_unknown(written: &syntax::Load) -> bool {
@@ -144,6 +144,27 @@ pub fn as_method(function: &Ident, arguments: &[Expression]) -> String {
     });
     let others: Vec<String> = texts.collect();
     format!("{receiver}.{function}({})", others.join(", "))
+}
+
+/// The components of the axis that `z`, `-z`, `world.z` or `body.z` means.
+pub fn axis_meant(expression: &Expression, axes: usize) -> Option<String> {
+    let (size, axis) = match &expression.kind {
+        Kind::Prefix(Prefix::Minus, inner) => ("-1", inner),
+        _ => ("1", &Box::new(expression.clone())),
+    };
+    let word = match &axis.kind {
+        Kind::Name(word) => word.to_string(),
+        Kind::Text(word) => word.clone(),
+        Kind::Field(receiver, word) => match &receiver.kind {
+            Kind::Name(frame) if frame == "world" || frame == "body" => word.to_string(),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let all = &["x", "y", "z"][..axes];
+    let found = all.iter().position(|known| *known == word.to_lowercase())?;
+    let parts = (0..axes).map(|axis| if axis == found { size } else { "0" });
+    Some(parts.collect::<Vec<_>>().join(", "))
 }
 
 /// The text of an expression that is a name, a number, or a part of one.

@@ -109,17 +109,16 @@ impl Lowering<'_> {
                 let draft = self.draft(inner, context)?;
                 self.turned(draft, method, arguments)
             }
-            Kind::Method(inner, method, _)
-                if (method == "mass" || method == "at") && !is_scalar(inner) =>
-            {
-                self.report(
-                    method.span(),
-                    format!(
-                        "`.{method}(..)` stands behind a part of `compose([..])`: this is the \
-                         whole body, about G"
-                    ),
-                )
-            }
+            Kind::Method(_, method, _) if method == "mass" => self.report(
+                method.span(),
+                "`.mass(..)` stands behind a part of `compose([..])`: that of a whole body is \
+                 the key `mass`",
+            ),
+            Kind::Method(_, method, _) if method == "at" => self.report(
+                method.span(),
+                "`.at(..)` stands behind a part of `compose([..])`: a whole inertia is about G, \
+                 or about another point P as `.about(P)`",
+            ),
             Kind::Call(word, parts) if word == "principal" => {
                 self.principal(word, parts, written.extent)
             }
@@ -175,6 +174,8 @@ impl Lowering<'_> {
     /// Reports an expression that is not the inertia of a body in space.
     fn not_in_space(&mut self, written: &Expression) -> Option<Draft> {
         match &written.kind {
+            // the mistake is where the name is defined
+            Kind::Name(name) if matches!(self.scope.look_up(&name.to_string()), Some(None)) => None,
             Kind::Call(word, _) if word == "tensor" || word == "products" => self.report(
                 word.span(),
                 format!("entries have names: write `{word} {{ xx: .., yy: .., zz: .. }}`"),

@@ -97,7 +97,7 @@ impl Lowering<'_> {
 
     /// A constant nonzero vector in body axes.
     fn body_direction(&mut self, written: &Expression) -> Option<Components> {
-        let vector = self.vector(written, Dimension::ANY, "a direction")?;
+        let vector = self.direction_in("body", written, Dimension::ANY)?;
         if !self.work.is_in(vector, self.state.body) {
             return self.report(
                 written.extent,

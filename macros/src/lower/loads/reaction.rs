@@ -59,7 +59,7 @@ impl Lowering<'_> {
     ) -> Option<Reaction> {
         let value = written.vector.as_ref()?;
         let along = match direction(value) {
-            Some(direction) => Some(self.vector(direction, Dimension::NONE, "a direction")?),
+            Some(direction) => Some(self.direction_in("world", direction, Dimension::NONE)?),
             None => None,
         };
         let (frame, known) = match along {

@@ -2,7 +2,7 @@
 
 use crate::errors::{Errors, every};
 use crate::families::Family;
-use crate::lower::expressions::Lowering;
+use crate::lower::expressions::{Lowering, missing_member};
 use crate::model::{Dimension, Frame, Load, Point, Property, Tie, Vector};
 use crate::symbolic::{Comparison, Components, Id, Number};
 use crate::syntax::{Definition, Expression, Kind, call};
@@ -255,6 +255,7 @@ impl Reader<'_> {
             return None;
         }
         let bodies = self.members.bodies.iter().map(|body| body.name.as_str());
+        let hint = self.members.hint(&name, bodies);
         let message = if name == "world" {
             "the ground does not move, and needs no moment: write `moment(v).on(body)`".to_owned()
         } else if self.members.joints.iter().any(|joint| joint.name == name) {
@@ -262,10 +263,10 @@ impl Reader<'_> {
                 "`{name}` is a joint, and a moment acts on bodies: write `v.on({name})` in `drives`"
             )
         } else {
-            format!(
-                "expected the name of a body{}",
-                self.members.hint(&name, bodies)
-            )
+            if let (Kind::Name(name), true) = (&written.kind, hint.is_empty()) {
+                return errors.undefined(name, &missing_member(name));
+            }
+            format!("expected the name of a body{hint}")
         };
         errors.report(written.extent, message)
     }

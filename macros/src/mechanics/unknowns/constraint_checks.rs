@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::errors::Errors;
+use crate::errors::{Errors, Extent};
 use crate::mechanics::proofs::{all_vanish, samples};
 use crate::model::{Model, Workspace};
 use crate::symbolic::{Elimination, Id, Residue};
@@ -111,6 +111,47 @@ fn reduce(mut gradient: Vec<Residue>, basis: &[Reduced]) -> (Vec<Residue>, Vec<u
     (gradient, of)
 }
 
+/// Reports unknowns that keep no constraint while a constraint is left, each pair as one mistake, and
+/// takes them out of the elimination.
+pub fn check_misplaced(
+    work: &Workspace,
+    constraints: &[Constrained],
+    unknowns: &[(String, Extent)],
+    elimination: &mut Elimination,
+    errors: &mut Errors,
+) -> Option<()> {
+    let rows = elimination.spare.iter().map(|(row, _)| *row);
+    let mut left: Vec<usize> = rows.filter(|row| *row < constraints.len()).collect();
+    left.truncate(elimination.undetermined.len());
+    for (row, unknown) in left
+        .iter()
+        .zip(elimination.undetermined.drain(..left.len()))
+    {
+        let constraint = &constraints[*row];
+        let (name, place) = &unknowns[unknown.column];
+        let others = unknown.others.iter().map(|other| &*unknowns[*other].0);
+        let others = others.collect::<Vec<_>>().join("` and `");
+        let what = if others.is_empty() {
+            format!("`{name}` acts against no constraint")
+        } else {
+            format!("what `{name}` keeps, `{others}` can keep too")
+        };
+        let advice = match smooth_support(work, constraint) {
+            none if none.is_empty() => {
+                ": mark a component with `_` that acts against that".to_owned()
+            }
+            advice => advice,
+        };
+        let kept = &constraint.name;
+        errors.push(
+            *place,
+            format!("{what}, and nothing keeps `{kept}`{advice}"),
+        );
+    }
+    elimination.spare.retain(|(row, _)| !left.contains(row));
+    left.is_empty().then_some(())
+}
+
 /// Reports constraints that no unknown keeps, and remaining balances that are not satisfied.
 pub fn check_kept(
     model: &Model,
@@ -121,8 +162,7 @@ pub fn check_kept(
     elimination: &Elimination,
     errors: &mut Errors,
 ) -> Option<()> {
-    let is_turned = |push: &&Push<'_>| !model.motion.has_attitude() && !push.unit.moment.is_zero();
-    let turned = pushes.iter().find(is_turned);
+    let turned = turned(model, pushes);
     for (row, _) in &elimination.spare {
         if let Some(constraint) = constraints.get(*row).filter(|_| turned.is_none()) {
             errors.push(
@@ -154,6 +194,12 @@ pub fn check_kept(
         }
     }
     elimination.spare.is_empty().then_some(())
+}
+
+/// The first unknown that would rotate a body that does not rotate.
+pub fn turned<'p, 'm>(model: &Model, pushes: &'p [Push<'m>]) -> Option<&'p Push<'m>> {
+    let is_turned = |push: &&Push<'_>| !model.motion.has_attitude() && !push.unit.moment.is_zero();
+    pushes.iter().find(is_turned)
 }
 
 /// Reports a reaction with the gradient of a constraint in its direction, if it is not proved to be

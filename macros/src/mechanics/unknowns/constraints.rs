@@ -17,7 +17,9 @@ use crate::model::{Frame, Load, Model, Pair, Vector, Workspace};
 use crate::symbolic::{Components, Function, Id, Residue, Sample, Size};
 
 use super::constrained::{Constrained, active, differentiate};
-use super::constraint_checks::{check_independent, check_kept, check_smooth, smooth_support};
+use super::constraint_checks::{
+    check_independent, check_kept, check_misplaced, check_smooth, smooth_support, turned,
+};
 use super::inertial::{balances_of, inertial_change};
 use super::left_over::balances_left;
 use super::pushes::{Push, known_loads, pushes};
@@ -67,7 +69,11 @@ pub fn derive_constrained(
         equation.active = active(work, &constraint.rates.factors.entries());
         equation.sizes = sizes(model, work, constraint, &pushes);
     }
-    let elimination = work.graph.solve(system, pushes.len());
+    let mut elimination = work.graph.solve(system, pushes.len());
+    let misplaced = match turned(model, &pushes) {
+        Some(_) => Some(()),
+        None => check_misplaced(work, &constraints, &names, &mut elimination, errors),
+    };
     let left: Vec<&str> = left.iter().map(|(name, _)| *name).collect();
     let mut smooth = constraints.iter().map(|one| smooth_support(work, one));
     let smooth = smooth.find(|advice| !advice.is_empty());
@@ -86,7 +92,7 @@ pub fn derive_constrained(
         &elimination,
         errors,
     )?;
-    determined?;
+    determined.and(misplaced)?;
     name_values(work, &names, &elimination);
     let Pair { linear, angular } = pushed(work, free, &pushes, &elimination.values);
     let angular = match model.state.axis {

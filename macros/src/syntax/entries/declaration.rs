@@ -22,6 +22,29 @@ pub fn parse_declaration(
         {
             (rest, Some(word.clone()))
         }
+        [
+            rest @ ..,
+            TokenTree::Punct(dot),
+            TokenTree::Ident(word),
+            TokenTree::Group(group),
+        ] if dot.as_char() == '.' && word == "moving" && is_empty(group) => {
+            errors.push(group.span(), "write `.moving`, without parentheses");
+            (rest, Some(word.clone()))
+        }
+        [TokenTree::Punct(dot), TokenTree::Ident(word), rest @ ..]
+            if dot.as_char() == '.' && word == "moving" =>
+        {
+            if key == "inputs" {
+                let message = "`.moving` stands at the end, as in `u[N].moving`: move it there";
+                errors.push(word.span(), message);
+            }
+            match rest {
+                [TokenTree::Group(group), rest @ ..] if is_empty(group) => {
+                    (rest, Some(word.clone()))
+                }
+                _ => (rest, Some(word.clone())),
+            }
+        }
         _ => (rest, None),
     };
     let (unit, value) = match rest {
@@ -73,6 +96,10 @@ pub fn parse_declaration(
     }
 }
 
+fn is_empty(parentheses: &Group) -> bool {
+    parentheses.stream().is_empty() && parentheses.delimiter() == Delimiter::Parenthesis
+}
+
 /// The unit in brackets that ends a declaration.
 fn parse_unit(
     name: &Ident,
@@ -84,6 +111,10 @@ fn parse_unit(
     let Some(next) = tail.first() else {
         return UnitExpression::parse(group, errors);
     };
+    if key == "inputs" && is_punct(next, '.') {
+        let message = format!("what may follow the unit is `.moving`: write `{name}[..].moving`");
+        return errors.report(start(next), message);
+    }
     if !is_punct(next, '=') {
         let message = format!("expected `{name}`, `{name}[unit]` or `{name} = value`");
         return errors.report(start(next), message);

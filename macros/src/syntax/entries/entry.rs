@@ -16,7 +16,7 @@ use crate::syntax::Description;
 use crate::syntax::Load;
 use crate::syntax::Value;
 use crate::syntax::expression::{Expression, Kind};
-use crate::syntax::tokens::start;
+use crate::syntax::tokens::{is_punct, start};
 use crate::syntax::words::check_name;
 
 /// Reads one entry of the list `key`. An entry without a name is dropped. An entry without a value
@@ -61,6 +61,15 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
             into.potentials.push(Definition { name, value });
         }
         "outputs" => {
+            let is_value = |token: &&TokenTree| is_punct(token, '=') || is_punct(token, '.');
+            if let Some(sign) = rest.first().filter(is_value) {
+                errors.push(
+                    start(sign),
+                    "an output is one word of the language, such as `energy`: compute other \
+                     quantities of the motion from its states",
+                );
+                return;
+            }
             // an output that does not exist is reported later, as an unknown output
             let is_reported =
                 name == "jacobian" || similar(&name.to_string(), ["reactions"]).is_some();

@@ -85,6 +85,17 @@ pub fn parse_key(
         report_of_system(into, key, errors);
         return None;
     }
+    if let ([TokenTree::Group(group)], None) = (value, meant)
+        && holds_keys(group)
+    {
+        let message = format!(
+            "the keys stand in the braces of `{}`: leave `{key}` and these braces out",
+            into.name
+        );
+        errors.push(group.span_open(), message);
+        parse_keys(into, group.stream(), errors);
+        return None;
+    }
     if !exact {
         report_unknown(key, meant, errors);
     }
@@ -100,6 +111,14 @@ pub fn parse_key(
         return None;
     };
     parse_list(into, list, example, value, errors)
+}
+
+/// Whether a group holds `key: value`.
+fn holds_keys(group: &Group) -> bool {
+    let mut tokens = group.stream().into_iter();
+    let first = tokens.next().as_ref().and_then(name_of);
+    let is_key = first.is_some_and(|word| key_meant(&word) == Some(&word));
+    is_key && tokens.next().is_some_and(|sign| is_punct(&sign, ':'))
 }
 
 /// The first word of an entry, and the tokens after it.
@@ -162,6 +181,13 @@ pub fn key_value<'t>(key: &Ident, rest: &'t [TokenTree], errors: &mut Errors) ->
                 [second, value @ ..] if is_punct(second, sign.as_char()) => value,
                 _ => value,
             }
+        }
+        // a list in other brackets is reported as such
+        [TokenTree::Group(group)]
+            if group.delimiter() != Delimiter::Bracket
+                && (example.ends_with(']') || key == "bodies" || key == "joints") =>
+        {
+            rest
         }
         [first, ..] => {
             errors.push(

@@ -9,7 +9,7 @@ mod outputs;
 
 pub use drawing::Center;
 
-use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, foreign_list_meant, similar};
 
@@ -158,6 +158,9 @@ impl System {
             return;
         };
         let word = key.to_string();
+        if let Some(found) = outside(key, rest) {
+            return self.parse_outside(key, &found, errors);
+        }
         if OF_BODIES.contains(&word.as_str()) {
             errors.push(
                 key.span(),
@@ -207,6 +210,28 @@ impl System {
             parse_key(&mut self.top, &entry, errors);
         } else {
             parse_key(&mut self.top, entry, errors);
+        }
+    }
+
+    /// Reports and reads what stands in braces outside of the lists.
+    fn parse_outside(&mut self, name: &Ident, found: &Outside<'_>, errors: &mut Errors) {
+        match found {
+            Outside::Body(group) => {
+                let message =
+                    format!("a body stands in `bodies`: write `bodies: [.., {name} {{ .. }}]`");
+                errors.push(name.span(), message);
+                let entry = [name.clone().into(), TokenTree::Group((*group).clone())];
+                self.parse_body(&entry, errors);
+            }
+            Outside::Keys(group) => {
+                let message = format!(
+                    "the keys stand in the braces of the system: leave `{name}` and these braces out"
+                );
+                errors.push(group.span_open(), message);
+                for entry in split(group.stream(), Entry::Key, errors) {
+                    self.parse_key(without_attributes(&entry, errors), errors);
+                }
+            }
         }
     }
 
@@ -294,4 +319,38 @@ fn list_meant(word: &str) -> Option<&'static (&'static str, &'static str)> {
         let meant = meant()?;
         LISTS.iter().find(|(list, _)| *list == meant)
     })
+}
+
+/// What stands in braces behind a word that is no key.
+enum Outside<'t> {
+    Body(&'t Group),
+    Keys(&'t Group),
+}
+
+/// The braces behind a word that is no key, with or without a colon, if they are those of a body or
+/// of keys.
+fn outside<'t>(key: &Ident, rest: &'t [TokenTree]) -> Option<Outside<'t>> {
+    let (group, is_body) = match rest {
+        [TokenTree::Group(group)] => (group, true),
+        [colon, TokenTree::Group(group)] if is_punct(colon, ':') => (group, false),
+        _ => return None,
+    };
+    let is_of_body = |word: &str| OF_BODIES.contains(&word);
+    let is_key =
+        |word: &str| is_of_body(word) || list_meant(word).is_some() || key_meant(word).is_some();
+    if is_key(&key.to_string()) || group.delimiter() != Delimiter::Brace {
+        return None;
+    }
+    let word = |token| match token {
+        TokenTree::Ident(word) => word.to_string(),
+        _ => String::new(),
+    };
+    let tokens: Vec<String> = group.stream().into_iter().map(word).collect();
+    if tokens.iter().any(|word| is_of_body(word)) {
+        return Some(Outside::Body(group));
+    }
+    match tokens.first() {
+        Some(first) if is_key(first) => Some(Outside::Keys(group)),
+        _ => is_body.then_some(Outside::Body(group)),
+    }
 }

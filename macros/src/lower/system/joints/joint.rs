@@ -5,7 +5,7 @@ use core::ops::Deref;
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, hint, hint_of_joint};
-use crate::lower::expressions::{JointNames, Value, strip_unit, written_frame};
+use crate::lower::expressions::{JointNames, Value, missing_member, strip_unit, written_frame};
 use crate::model::{Connection, Dimension, Frame, FrameWord, Holds, JointKind, Rates, Variable};
 use crate::symbolic::{Components, Id};
 use crate::syntax::{CABLE, Called, Definition, Expression, Kind, LINK, call};
@@ -235,6 +235,9 @@ impl Reader<'_> {
                 return None;
             }
             let hint = hint(&written, names);
+            if let (Kind::Name(name), true) = (&body.kind, hint.is_empty()) {
+                return errors.undefined(name, &missing_member(name));
+            }
             errors.push(
                 body.extent,
                 format!(

@@ -1,0 +1,9 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Disk {
+    motion: planar,
+    mass: m,
+    inertia: J,
+});
+
+fn main() {}

@@ -1,0 +1,10 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Disk {
+    motion: planar,
+    mass: 1[kg],
+    inertia: 0.1[kg * m ^ 2],
+    outputs: [speed = velocity.norm(), energy],
+});
+
+fn main() {}

@@ -1,0 +1,11 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Brick {
+    motion: spatial,
+    mass: 1[kg],
+    inertia: principal(1, 2, 2.5)[kg * m ^ 2],
+    points: [p = { 0.1, 0, 0 }],
+    forces: [push = world(0, 0, 1)[N].at(p)],
+});
+
+fn main() {}

@@ -1,0 +1,5 @@
+use newton_euler::rigid_body;
+
+rigid_body!(struct Stone { motion: planar, mass: 1[kg], inertia: 0.1[kg * m ^ 2] });
+
+fn main() {}

@@ -1,0 +1,12 @@
+use newton_euler::rigid_system;
+
+rigid_system!(Swing {
+    bodies: [
+        wheel { mass: 1[kg], inertia: principal(1, 2, 2.5)[kg * m ^ 2], points: [rim = (0, 0, 1)[m]] },
+    ],
+    joints: [axle = revolute(world(0, 0, 0), wheel.rim, world(1, 0, 0))],
+    locals: [c = wheel.angle],
+    drives: [spring = (-0.1[N * m] * c).on(axle)],
+});
+
+fn main() {}

@@ -1,0 +1,15 @@
+use newton_euler::rigid_system;
+
+rigid_system!(Arm {
+    motion: planar,
+    bodies: [
+        upper {
+            mass: 1[kg],
+            inertia: 0.1[kg * m ^ 2],
+            points: [hinge = (0, 0.5)[m], tip = (0, -0.5)[m]],
+        },
+    ],
+    joints: [shoulder = revolute(world(0, 0), upper.hinge), loose = free(lower)],
+});
+
+fn main() {}

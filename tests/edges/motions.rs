@@ -427,11 +427,14 @@ fn functions() {
             assert!(!moved.position.iter().sum::<f64>().is_finite());
         }
         for tolerance in [f64::NAN, 0.0, -1.0] {
-            assert!(taylor(&body, &spun(), &(), 0.0..1.0, tolerance).is_err());
+            for end in [0.0, 1.0] {
+                assert!(taylor(&body, &spun(), &(), 0.0..end, tolerance).is_err());
+            }
         }
         let start = spun();
         let mut motion = Motion::<_, 11>::new(&body, 0.0, &start);
         assert!(motion.step_towards(f64::NAN, &(), 1e-9).is_err());
+        assert!(motion.step_towards(0.0, &(), f64::NAN).is_err());
         assert!(motion.step(f64::NAN, &()).is_err() && motion.step(f64::INFINITY, &()).is_err());
         assert_eq!((motion.time(), motion.state()), (0.0, start));
         assert_eq!(cf4(&body, &spun(), &(), 0.0..1.0, 0), spun());

@@ -419,7 +419,8 @@ fn a_bob_runs_dry() {
         ..lifted()
     };
     let mut members = Ensemble::new(&pendulum, [wet, lifted()]);
-    let lost = members.integrate().tolerance(1e-9).to(30.0).unwrap_err();
+    let error = members.integrate().tolerance(1e-9).to(30.0).unwrap_err();
+    let lost = error.member().unwrap();
     assert_eq!(lost.index, 1);
     runs_out(&lost.error, "bob", 14.0);
 }

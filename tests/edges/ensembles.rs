@@ -32,13 +32,15 @@ fn a_member_that_is_lost() {
             ensemble.inputs_mut().set(5, &lost);
             let before = ensemble.clone();
             let error = ensemble.integrate().method(STEPS).to(1.0).unwrap_err();
+            let lost = error.member().unwrap();
             assert!(matches!(
-                error.error,
+                lost.error,
                 IntegrationError::NotFinite { time: 0.0, .. }
             ));
-            assert_eq!((error.index, ensemble.states()), (5, before.states()));
+            assert_eq!((lost.index, ensemble.states()), (5, before.states()));
             let error = ensemble.integrate().to(1.0).unwrap_err();
-            assert_eq!((error.index, ensemble.states()), (5, before.states()));
+            let index = error.member().unwrap().index;
+            assert_eq!((index, ensemble.states()), (5, before.states()));
 
             let mut others = planks();
             others.cf4(0.0..1.0, 10);
@@ -103,9 +105,7 @@ fn times_and_steps_that_are_none() {
         assert!(planks().integrate().tolerance(f64::NAN).to(1.0).is_err());
         // of none, nothing
         let mut none = Ensemble::new(&Plank::<f64>::default(), []);
-        assert!(
-            none.integrate().to(f64::NAN).is_ok() && none.integrate().method(STEPS).to(1.0).is_ok()
-        );
+        assert!(none.integrate().to(1.0).is_ok() && none.integrate().method(STEPS).to(1.0).is_ok());
         none.cf4(0.0..1.0, 3);
         assert!(none.accelerations(0.0).is_empty());
     });

@@ -206,13 +206,13 @@ fn tolerances() {
                 .tolerance(tolerance)
                 .to(1.0);
         }
-        // what needs no tolerance takes any
+        // also where none is needed
         assert!(
             Brick::default()
                 .integrate(&spun())
                 .tolerance(f64::NAN)
                 .to(1.0)
-                .is_ok()
+                .is_err()
         );
     });
 }
@@ -229,7 +229,7 @@ fn steps() {
             };
             body.integrate(&spun()).method(method).to(0.1)
         };
-        for step in [f64::NAN, 0.0, -0.0, -0.1, f64::NEG_INFINITY] {
+        for step in [f64::NAN, 0.0, -0.0, -0.1, f64::NEG_INFINITY, 5e-324, 1e-300] {
             let error = by(step).unwrap_err();
             let is_of_step = matches!(
                 error,
@@ -240,13 +240,6 @@ fn steps() {
                 }
             );
             assert!(is_of_step, "{error}");
-        }
-        for step in [5e-324, 1e-300] {
-            let error = by(step).unwrap_err();
-            assert!(
-                matches!(error, IntegrationError::StepTooSmall { time: 0.0, .. }),
-                "{step}"
-            );
         }
         assert_eq!(by(f64::INFINITY), by(0.1));
         assert_eq!(by(f64::MAX), by(0.1));
@@ -434,11 +427,14 @@ fn functions() {
             assert!(!moved.position.iter().sum::<f64>().is_finite());
         }
         for tolerance in [f64::NAN, 0.0, -1.0] {
-            assert!(taylor(&body, &spun(), &(), 0.0..1.0, tolerance).is_err());
+            for end in [0.0, 1.0] {
+                assert!(taylor(&body, &spun(), &(), 0.0..end, tolerance).is_err());
+            }
         }
         let start = spun();
         let mut motion = Motion::<_, 11>::new(&body, 0.0, &start);
         assert!(motion.step_towards(f64::NAN, &(), 1e-9).is_err());
+        assert!(motion.step_towards(0.0, &(), f64::NAN).is_err());
         assert!(motion.step(f64::NAN, &()).is_err() && motion.step(f64::INFINITY, &()).is_err());
         assert_eq!((motion.time(), motion.state()), (0.0, start));
         assert_eq!(cf4(&body, &spun(), &(), 0.0..1.0, 0), spun());

@@ -30,7 +30,7 @@ macro_rules! agree {
             let mut ensemble = Ensemble::<$kind<f64>>::with_params(params.zip(rest)).unwrap();
             ensemble.set_width(width);
             let motion = ensemble.integrate().method($method).starting_at(start);
-            let lost = motion.each_to(end);
+            let lost = motion.each_to(end).unwrap();
             for (index, body) in bodies.iter().enumerate() {
                 let alone = body.integrate(&Translation::default()).method($method);
                 let alone = alone.starting_at(start).to(end);

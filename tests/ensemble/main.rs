@@ -15,6 +15,7 @@ use newton_euler::{columns::Columns, integrate, prelude::*};
 mod bodies;
 mod changing;
 mod integration;
+mod settings;
 mod sines;
 #[path = "../handwritten/mod.rs"]
 mod systems;

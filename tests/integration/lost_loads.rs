@@ -64,16 +64,15 @@ fn at_the_start() {
         (0.0, Some("drag"))
     );
     let mut all = Ensemble::new(&ball, [thrown(), rest, thrown()]);
-    let error = all.integrate().to(1.0).unwrap_err();
-    assert_eq!(
-        (error.index, blamed::<Translation>(Err(error.error))),
-        (1, (0.0, Some("drag")))
-    );
-    let error = all.integrate().method(fixed).to(1.0).unwrap_err();
-    assert_eq!(
-        (error.index, blamed::<Translation>(Err(error.error))),
-        (1, (0.0, Some("drag")))
-    );
+    let in_own_steps = all.integrate().to(1.0).unwrap_err();
+    let in_equal_steps = all.integrate().method(fixed).to(1.0).unwrap_err();
+    for error in [in_own_steps, in_equal_steps] {
+        let lost = error.member().unwrap();
+        assert_eq!(
+            (lost.index, blamed::<Translation>(Err(lost.error))),
+            (1, (0.0, Some("drag")))
+        );
+    }
 }
 
 fn thrown() -> Translation {

@@ -14,4 +14,5 @@ mod orders;
 #[path = "../reference/mod.rs"]
 mod reference;
 mod scenes;
+mod settings;
 mod switches;

@@ -154,12 +154,26 @@ fn what_is_missing_is_told() {
     // one rotor turns it over
     let error = quadrotor.trim(&start).free(["thrust_1"]).solve();
     assert!(matches!(error, Err(TrimError::Unbalanced { .. })));
-    let state = Spatial {
-        velocity: Vector3::new(f64::NAN, 0.0, 0.0),
+    // numbers that are none, also where nothing depends on them
+    let none = Vector3::new(f64::NAN, 0.0, 0.0);
+    let moving = Spatial {
+        velocity: none,
         ..start
     };
-    let error = quadrotor.trim(&state).free(THRUSTS).solve();
-    assert!(matches!(error, Err(TrimError::NotFinite { .. })));
+    let nowhere = Spatial {
+        position: none,
+        ..start
+    };
+    let search = |state| quadrotor.trim(state).free(THRUSTS);
+    for search in [
+        search(&moving),
+        search(&nowhere),
+        search(&start).turning(none),
+        search(&start).at(f64::INFINITY),
+    ] {
+        let error = search.solve().unwrap_err();
+        assert_eq!(error, TrimError::NotFinite { load: None });
+    }
 }
 
 rigid_body!(Pendulum {

@@ -117,6 +117,21 @@ fn gaps_are_not_shown() {
     let page = Page::of(&samples).solid(Solid::ball(0.2)).to_string();
     assert!(!page.contains("inf,") && !page.contains("NaN"));
     assert!(of_class(&parsed(&page), "body").is_empty());
+    // times that are none
+    for place in [0, 3, 19] {
+        for time in [f64::NAN, f64::INFINITY] {
+            let mut samples = screw(20);
+            samples[place].time = time;
+            let page = Page::of(&samples)
+                .solid(Solid::ball(0.2))
+                .seen_from(f64::NAN, time)
+                .curves(&["position"])
+                .expect("columns")
+                .to_string();
+            assert!(!page.contains("NaN") && !page.contains("infs"), "{place}");
+            assert_eq!(of_class(&parsed(&page), "body").len(), 1);
+        }
+    }
     for count in [0, 1] {
         let samples = screw(count);
         let page = Page::of(&samples)

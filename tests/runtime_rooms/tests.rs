@@ -24,7 +24,7 @@ const ROOMS: [(&str, &str); 18] = [
         "integrate/methods",
         "numbers state bodies taylor integrate/steps",
     ),
-    ("integrate/course", "numbers bodies integrate/steps"),
+    ("integrate/course", "numbers state bodies integrate/steps"),
     ("integrate", ""),
     (
         "ensemble",

@@ -8,13 +8,15 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use super::moves::{MemberError, Moves};
+use super::moves::{EnsembleError, MemberError, Moves};
 use super::plan::Limits;
 use super::{Blocks, Ensemble};
 use crate::bodies::columns::Generic;
 #[cfg(feature = "progress")]
 use crate::integrate::Bar;
-use crate::integrate::{Instants, IntegrationError, Sample, Sampled, Setting, period_is_lost};
+use crate::integrate::{
+    Instants, IntegrationError, InvalidSetting, Sample, Sampled, Setting, check, check_state,
+};
 
 /// The inputs of the members over time: [`AsGiven`], or a function called at equal intervals, by
 /// [`EnsembleIntegration::control`](super::EnsembleIntegration::control).
@@ -65,6 +67,9 @@ pub(super) struct EnsembleCourse<'e, B: Generic, M, C> {
     end: f64,
     /// The time until which the current inputs are held.
     held_until: f64,
+    /// Whether the settings are possible, and whether the initial states were checked.
+    checked: Result<(), InvalidSetting>,
+    is_begun: bool,
     /// Members that failed before, if the others continue without them.
     lost: Option<Vec<MemberError<B::State>>>,
     #[cfg(feature = "progress")]
@@ -74,10 +79,10 @@ pub(super) struct EnsembleCourse<'e, B: Generic, M, C> {
 impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M, C> {
     pub(super) fn new(
         ensemble: &'e mut Ensemble<B>,
-        method: M,
-        control: C,
+        (method, control): (M, C),
         limits: Limits,
         times: Range<f64>,
+        checked: Result<(), InvalidSetting>,
     ) -> Self {
         let Range { start: time, end } = times;
         Self {
@@ -88,6 +93,8 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
             time,
             end,
             held_until: time,
+            checked,
+            is_begun: false,
             lost: None,
             #[cfg(feature = "progress")]
             bar: None,
@@ -100,27 +107,20 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
     }
 
     /// Advances to a time, not beyond the end.
-    pub(super) fn seek(&mut self, time: f64) -> Result<(), MemberError<B::State>> {
+    pub(super) fn seek(&mut self, time: f64) -> Result<(), EnsembleError<B::State>> {
+        self.begin()?;
         if self.ensemble.is_empty() {
             return Ok(());
-        }
-        if !(self.time.is_finite() && time.is_finite()) {
-            let start = self.time;
-            return Err(self.ended(|state| IntegrationError::endless(start..time, state)));
         }
         while self.time != time {
             let forwards = time > self.time;
             let is_ahead = |until: f64, now: f64| if forwards { until > now } else { until < now };
             if self.time == self.held_until {
                 let until = self.control.set(self.ensemble, self.time, self.end);
-                let period = self.control.period();
-                if !is_ahead(until, self.time) || period_is_lost(period, self.end) {
-                    let time = self.time;
-                    let period = period.unwrap_or(until - time);
-                    let setting = (Setting::Period, period);
-                    return Err(
-                        self.ended(|state| IntegrationError::too_small(setting, time, state))
-                    );
+                if !is_ahead(until, self.time) {
+                    let (setting, ahead) = (Setting::Period, until - self.time);
+                    let value = if forwards { ahead } else { -ahead };
+                    return Err(InvalidSetting { setting, value }.into());
                 }
                 (self.held_until, self.limits.given) = (until, self.time);
             }
@@ -134,8 +134,29 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
         Ok(())
     }
 
+    /// Before the motion begins, checks its settings and all states.
+    fn begin(&mut self) -> Result<(), EnsembleError<B::State>> {
+        self.checked?;
+        if self.is_begun {
+            return Ok(());
+        }
+        self.is_begun = true;
+        let time = self.time;
+        for (index, state) in self.ensemble.states.iter().enumerate() {
+            if let Err(invalid) = check_state(&state) {
+                let error = IntegrationError::refused(invalid, time, state);
+                let member = MemberError { index, error };
+                match &mut self.lost {
+                    None => return Err(member.into()),
+                    Some(lost) => lost.push(member),
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// Moves all members to a time, under their current inputs.
-    fn moved(&mut self, next: f64) -> Result<(), MemberError<B::State>> {
+    fn moved(&mut self, next: f64) -> Result<(), EnsembleError<B::State>> {
         let times = self.time..next;
         #[cfg(not(feature = "progress"))]
         let shown = |_part: f64| {};
@@ -152,7 +173,7 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
                 let lost = self.method.moved(ensemble, times, limits, shown);
                 if let Some(first) = lost.into_iter().next() {
                     ensemble.states = before;
-                    return Err(first);
+                    return Err(first.into());
                 }
             }
             Some(all) => {
@@ -171,37 +192,15 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
     }
 
     /// Advances the members that can reach the end; returns the others, in order.
-    pub(super) fn seek_with_each(mut self) -> Vec<MemberError<B::State>> {
+    pub(super) fn seek_with_each(mut self) -> Result<Vec<MemberError<B::State>>, InvalidSetting> {
         self.lost = Some(Vec::new());
-        // an error of all members is recorded for each
-        let _ = self.seek(self.end);
+        if let Err(EnsembleError::Setting(invalid)) = self.seek(self.end) {
+            return Err(invalid);
+        }
         let mut lost = self.lost.unwrap_or_default();
         lost.sort_by_key(|one| one.index);
-        lost
+        Ok(lost)
     }
-
-    /// The error that ended all motions, for the first member, if there is one.
-    fn ended(
-        &mut self,
-        error: impl Fn(B::State) -> IntegrationError<B::State>,
-    ) -> MemberError<B::State> {
-        if let Some(lost) = &mut self.lost {
-            let all = self.ensemble.states.iter().enumerate();
-            let late = all.filter(|(index, _)| lost.iter().all(|known| known.index != *index));
-            let late = late.map(|(index, state)| MemberError {
-                index,
-                error: error(state),
-            });
-            let late: Vec<_> = late.collect();
-            lost.extend(late);
-        }
-        at_first(error(self.ensemble.state(0)))
-    }
-}
-
-/// An error of all members is attributed to the first.
-fn at_first<S>(error: IntegrationError<S>) -> MemberError<S> {
-    MemberError { index: 0, error }
 }
 
 /// The states of all members at equal intervals: see
@@ -209,37 +208,28 @@ fn at_first<S>(error: IntegrationError<S>) -> MemberError<S> {
 #[derive(Debug)]
 pub struct EnsembleSamples<'e, B: Generic, M, C> {
     course: EnsembleCourse<'e, B, M, C>,
-    /// None if the period is invalid.
-    instants: Option<Instants>,
-    period: f64,
+    instants: Instants,
 }
 
 impl<'e, B: Generic, M, C> EnsembleSamples<'e, B, M, C> {
-    pub(super) fn new(course: EnsembleCourse<'e, B, M, C>, period: f64) -> Self {
-        Self {
-            instants: Instants::new(course.time, course.end, period),
-            course,
-            period,
-        }
+    pub(super) fn new(mut course: EnsembleCourse<'e, B, M, C>, period: f64) -> Self {
+        let times = course.time..course.end;
+        let checked = check(&times, [(Setting::Period, period)]);
+        course.checked = course.checked.and(checked);
+        let instants = Instants::new(times, period);
+        Self { course, instants }
     }
 }
 
 impl<B: Generic, M: Moves<B>, C: EnsembleControl<B>> Iterator for EnsembleSamples<'_, B, M, C> {
-    type Item = Result<Sample<Blocks<B::State>>, MemberError<B::State>>;
+    type Item = Result<Sample<Blocks<B::State>>, EnsembleError<B::State>>;
 
     fn next(&mut self) -> Option<Self::Item> {
         let course = &mut self.course;
-        let Some(instants) = &mut self.instants else {
-            self.instants = Some(Instants::NONE);
-            let times = course.time..course.end;
-            let state = course.ensemble.states.iter().next()?;
-            let error = IntegrationError::uncountable(self.period, times, state);
-            return Some(Err(at_first(error)));
-        };
-        let time = instants.next()?;
+        let time = self.instants.next()?;
         let reached = course.seek(time);
         if reached.is_err() {
-            *instants = Instants::NONE;
+            self.instants = Instants::NONE;
         }
         Some(reached.map(|()| Sample {
             time,

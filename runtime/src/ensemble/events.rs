@@ -7,7 +7,7 @@ use rayon::iter::ParallelIterator as _;
 use super::Ensemble;
 use super::course::AsGiven;
 use super::integration::EnsembleIntegration;
-use super::moves::{MemberError, Moves, indices};
+use super::moves::{EnsembleError, MemberError, Moves, indices};
 use crate::bodies::columns::Generic;
 use crate::integrate::{Event, Integrate};
 
@@ -28,16 +28,17 @@ impl<B: Generic + Integrate, M: Moves<B>> EnsembleIntegration<'_, B, M, AsGiven>
     /// Members move one by one, under their current inputs. No progress bar is shown.
     ///
     /// # Errors
-    /// [`MemberError`] with a member that does not reach the end, or whose function is NaN; the
-    /// ensemble then keeps its states.
+    /// [`EnsembleError`], if a setting is impossible, or with a member that does not reach the end,
+    /// or whose function is NaN; the ensemble then keeps its states.
     pub fn events<F>(
         self,
         end: f64,
         function: F,
-    ) -> Result<Vec<MemberEvent<B::State>>, MemberError<B::State>>
+    ) -> Result<Vec<MemberEvent<B::State>>, EnsembleError<B::State>>
     where
         F: Fn(f64, usize, &B::State) -> f64 + Sync,
     {
+        self.checked(end, None)?;
         let Self {
             ensemble,
             start,
@@ -66,7 +67,7 @@ impl<B: Generic + Integrate, M: Moves<B>> EnsembleIntegration<'_, B, M, AsGiven>
             let seen = seen.map_err(|error| MemberError { index, error })?;
             Ok((seen, events.state()))
         };
-        let flown: Result<Vec<_>, _> = indices(states.len()).map(flown).collect();
+        let flown: Result<Vec<_>, MemberError<_>> = indices(states.len()).map(flown).collect();
         let (seen, ends): (Vec<_>, Vec<_>) = flown?.into_iter().unzip();
         ensemble.states = ends.into_iter().collect();
         Ok(seen.into_iter().flatten().collect())

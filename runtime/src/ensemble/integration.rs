@@ -6,16 +6,16 @@ use core::borrow::Borrow;
 use super::course::{AsGiven, EnsembleControl, EnsembleCourse, EnsembleSamples};
 #[cfg(doc)]
 use super::moves::OneByOne;
-use super::moves::{MemberError, Moves, Together};
+use super::moves::{EnsembleError, MemberError, Moves, Together};
 use super::plan::Limits;
 use super::{Blocks, Ensemble};
 use crate::bodies::columns::Generic;
 #[cfg(doc)]
 use crate::integrate::{DormandPrince, Fixed, Verner};
-use crate::integrate::{Integrate, Sampled, TOLERANCE, Tolerant};
+use crate::integrate::{Integrate, InvalidSetting, Method as _, Sampled, TOLERANCE, Tolerant};
 
 /// An integration of all members, like [`Integration`](crate::integrate::Integration) for one
-/// body.
+/// body. All settings are checked before anything moves, also if there are no members.
 ///
 /// ```
 /// use newton_euler::integrate::{DormandPrince8, Fixed, Sample};
@@ -53,6 +53,8 @@ pub struct EnsembleIntegration<'e, B: Generic, M, C> {
     pub(super) ensemble: &'e mut Ensemble<B>,
     pub(super) start: f64,
     pub(super) method: M,
+    /// The tolerance given last, whatever the method.
+    tolerance: f64,
     pub(super) limits: Limits,
     control: C,
     #[cfg(feature = "progress")]
@@ -71,6 +73,7 @@ impl<B: Generic + Integrate<Best: Together<B>>> Ensemble<B> {
             ensemble: self,
             start: 0.0,
             method: Tolerant::with_tolerance(TOLERANCE),
+            tolerance: TOLERANCE,
             control: AsGiven,
             limits: Limits {
                 max_step: f64::INFINITY,
@@ -97,7 +100,12 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
     where
         M: Tolerant,
     {
-        self.method(M::with_tolerance(tolerance))
+        let method = M::with_tolerance(tolerance);
+        Self {
+            method,
+            tolerance,
+            ..self
+        }
     }
 
     /// Uses another method: [`Verner`], [`DormandPrince`] and [`Fixed`] in lanes, or [`OneByOne`]
@@ -107,6 +115,7 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
             ensemble: self.ensemble,
             start: self.start,
             method,
+            tolerance: self.tolerance,
             control: self.control,
             limits: self.limits,
             #[cfg(feature = "progress")]
@@ -140,6 +149,7 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
             ensemble: self.ensemble,
             start: self.start,
             method: self.method,
+            tolerance: self.tolerance,
             limits: self.limits,
             control: AsGiven,
             #[cfg(feature = "progress")]
@@ -158,6 +168,7 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
             ensemble: self.ensemble,
             start: self.start,
             method: self.method,
+            tolerance: self.tolerance,
             limits: self.limits,
             control: Sampled::new(period, function),
             #[cfg(feature = "progress")]
@@ -178,9 +189,9 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
     /// Moves all members to this time \[s\]: not a duration, but the time of the end.
     ///
     /// # Errors
-    /// [`MemberError`] with a member that does not reach the end; the ensemble keeps its states
-    /// from the last change of inputs.
-    pub fn to(self, end: f64) -> Result<(), MemberError<B::State>>
+    /// [`EnsembleError`], if a setting is impossible, or with a member that does not reach the end;
+    /// the ensemble keeps its states from the last change of inputs.
+    pub fn to(self, end: f64) -> Result<(), EnsembleError<B::State>>
     where
         M: Moves<B>,
         C: EnsembleControl<B>,
@@ -191,8 +202,10 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
     /// Moves the members that can reach the end \[s\], and returns the errors of the others, in
     /// order. Members that fail keep their last valid states, and do not delay the others. A
     /// controller is called for them as well.
-    #[must_use = "these members are not at the end"]
-    pub fn each_to(self, end: f64) -> Vec<MemberError<B::State>>
+    ///
+    /// # Errors
+    /// [`InvalidSetting`], if a setting is impossible: no member moves.
+    pub fn each_to(self, end: f64) -> Result<Vec<MemberError<B::State>>, InvalidSetting>
     where
         M: Moves<B>,
         C: EnsembleControl<B>,
@@ -201,9 +214,9 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
     }
 
     /// `samples(end, period)`: the states of all members at the start and after every period \[s\],
-    /// up to the end \[s\]. The end is the last sample if it is a whole number of periods away. If the
-    /// period is longer than the motion, the start is the only sample. The ensemble itself
-    /// moves along, and ends at the last sample. Unlike for one body, steps end at the samples. An
+    /// up to the end \[s\]. The end is the last sample if it is a whole number of periods away. There
+    /// is none beyond the end: if the period is longer than the motion, the start is the only
+    /// sample. The ensemble itself moves along, and ends at the last sample. Unlike for one body, steps end at the samples. An
     /// error is the last item.
     pub fn samples(self, end: f64, period: f64) -> EnsembleSamples<'e, B, M, C>
     where
@@ -213,18 +226,29 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
         EnsembleSamples::new(self.course(end), period)
     }
 
+    /// Checks the settings, which are those of all members.
+    pub(super) fn checked(&self, end: f64, period: Option<f64>) -> Result<(), InvalidSetting>
+    where
+        M: Moves<B>,
+    {
+        let (times, method) = (self.start..end, self.method.alone().setting());
+        let pace = self.limits.pace();
+        pace.check(&times, self.tolerance, method, period)
+    }
+
     fn course(self, end: f64) -> EnsembleCourse<'e, B, M, C>
     where
         M: Moves<B>,
         C: EnsembleControl<B>,
     {
         let times = self.start..end;
+        let checked = self.checked(end, self.control.period());
         #[cfg(feature = "progress")]
         let bar = self
             .shows_progress
             .then(|| crate::integrate::Bar::new(times.clone()));
-        let course =
-            EnsembleCourse::new(self.ensemble, self.method, self.control, self.limits, times);
+        let (method, control, limits) = (self.method, self.control, self.limits);
+        let course = EnsembleCourse::new(self.ensemble, (method, control), limits, times, checked);
         #[cfg(feature = "progress")]
         let course = course.shown_on(bar);
         course

@@ -32,7 +32,7 @@ pub use blocks::{Blocks, Values};
 pub use course::{AsGiven, EnsembleControl, EnsembleSamples};
 pub use events::MemberEvent;
 pub use integration::EnsembleIntegration;
-pub use moves::{MemberError, Moves, OneByOne, Together};
+pub use moves::{EnsembleError, MemberError, Moves, OneByOne, Together};
 pub use plan::Limits;
 pub use statistics::{Moments, Statistics, shard};
 

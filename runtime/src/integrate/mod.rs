@@ -49,13 +49,12 @@ pub use steps::equations::Equations;
 pub use steps::error::IntegrationError;
 pub use steps::event::Event;
 pub use steps::method::{Method, Run, Tolerant};
-pub use steps::setting::Setting;
+pub use steps::setting::{InvalidSetting, Setting};
 pub use steps::step::Step;
 pub use steps::stretch::next_switch;
 
 #[cfg(feature = "ensemble")]
 pub(crate) use {
-    course::control::period_is_lost,
     course::instants::Instants,
     course::integration::TOLERANCE,
     course::{Course, Pace},
@@ -64,6 +63,7 @@ pub(crate) use {
     steps::equations::Rates,
     steps::lengths::{Lengths, shrunk},
     steps::point::{add, compensated},
+    steps::setting::{check, check_state},
     steps::size::finest,
     steps::stretch::Within,
 };

@@ -15,7 +15,24 @@ macro_rules! debug_as_display {
 }
 pub(crate) use debug_as_display;
 
-/// A number to six significant digits; with all its digits beyond 1e22 and below 1e-17.
+/// A number in a message, with the fewest digits that read back to the same bits. Very large and
+/// very small numbers have a power of ten.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Number(pub(crate) f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(number) = *self;
+        let size = number.abs();
+        if size == 0.0 || !size.is_finite() || (1e-4..1e7).contains(&size) {
+            write!(f, "{number}")
+        } else {
+            write!(f, "{number:e}")
+        }
+    }
+}
+
+/// The same to six significant digits; with all its digits beyond 1e22 and below 1e-17.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Brief(pub(crate) f64);
 
@@ -24,7 +41,7 @@ impl fmt::Display for Brief {
         let Self(number) = *self;
         let size = number.abs();
         if size == 0.0 || !size.is_finite() {
-            return write!(f, "{number}");
+            return Number(number).fmt(f);
         }
         let digits = 5.0 - libm::floor(libm::log10(size));
         // these powers of ten are exact, so that the quotient prints with its six digits
@@ -34,11 +51,7 @@ impl fmt::Display for Brief {
             -17.0..0.0 => libm::round(number / scale) * scale,
             _ => number,
         };
-        if (1e-4..1e7).contains(&size) {
-            write!(f, "{rounded}")
-        } else {
-            write!(f, "{rounded:e}")
-        }
+        Number(rounded).fmt(f)
     }
 }
 
@@ -48,7 +61,7 @@ mod tests {
 
     use std::string::ToString;
 
-    use super::Brief;
+    use super::{Brief, Number};
 
     #[test]
     fn six_digits() {
@@ -67,6 +80,23 @@ mod tests {
             (f64::NEG_INFINITY, "-inf"),
         ] {
             assert_eq!(Brief(number).to_string(), text);
+        }
+    }
+
+    #[test]
+    fn all_digits() {
+        for (number, text) in [
+            (0.0, "0"),
+            (0.1 + 0.2, "0.30000000000000004"),
+            (86_400.125, "86400.125"),
+            (-1e300, "-1e300"),
+            (1.25e9, "1.25e9"),
+            (f64::MAX, "1.7976931348623157e308"),
+            (1e-5, "1e-5"),
+            (f64::NAN, "NaN"),
+            (f64::INFINITY, "inf"),
+        ] {
+            assert_eq!(Number(number).to_string(), text);
         }
     }
 }

@@ -131,10 +131,12 @@ impl<'s, S> Page<'s, S> {
     }
 
     /// Shows the solids with z up, seen from an azimuth, anticlockwise from the x-axis, and an
-    /// elevation above the horizon \[rad\].
+    /// elevation above the horizon \[rad\]. Angles that are not finite change nothing.
     #[must_use]
     pub fn seen_from(mut self, azimuth: f64, elevation: f64) -> Self {
-        self.view = View::from(azimuth, elevation);
+        if azimuth.is_finite() && elevation.is_finite() {
+            self.view = View::from(azimuth, elevation);
+        }
         self
     }
 

@@ -118,6 +118,7 @@ impl Stage<'_> {
     fn frames(&self, actor: &Actor, scale: f64) -> Option<(String, String)> {
         let stride = actor.poses.len().div_ceil(FRAMES).max(1);
         let last = actor.poses.len().checked_sub(1)?;
+        let moves = self.duration > 0.0 && self.duration.is_finite() && last > 0;
         let shown = if actor.poses.iter().all(Pose::is_finite) {
             ""
         } else {
@@ -127,7 +128,8 @@ impl Stage<'_> {
         let mut before: Option<(f64, bool)> = None;
         let [mut first, mut frames] = [String::new(), String::new()];
         for (place, (part, pose)) in self.parts.iter().zip(&actor.poses).enumerate() {
-            if place % stride != 0 && place != last {
+            let is_skipped = place % stride != 0 && place != last;
+            if is_skipped || moves && !part.is_finite() {
                 continue;
             }
             let (percent, is_there) = (100.0 * part, pose.is_finite());
@@ -156,7 +158,6 @@ impl Stage<'_> {
         if first.is_empty() {
             return None;
         }
-        let moves = self.duration > 0.0 && last > 0;
         Some((first, if moves { frames } else { String::new() }))
     }
 

@@ -209,6 +209,7 @@ mod written {
     use serde::{Deserialize, Serialize};
 
     use super::super::finite;
+    use crate::numbers::messages::Number;
     use crate::numbers::scalar::Scalar;
 
     /// The permitted deviation of |u|² from 1, and of u·u̇ from 0 relative to |u̇|. As for
@@ -251,14 +252,18 @@ mod written {
 
     impl core::fmt::Display for Invalid {
         fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-            match self {
+            match *self {
                 Self::Axis { square, tolerance } => write!(
                     f,
-                    "axis must be a unit vector: |u|² is {square}, further than {tolerance:e} from 1"
+                    "axis must be a unit vector: |u|² is {}, further than {} from 1",
+                    Number(square),
+                    Number(tolerance)
                 ),
                 Self::Rate { cosine, tolerance } => write!(
                     f,
-                    "axis_rate must be perpendicular to axis: the cosine between them is {cosine}, further than {tolerance:e} from 0"
+                    "axis_rate must be perpendicular to axis: the cosine between them is {}, further than {} from 0",
+                    Number(cosine),
+                    Number(tolerance)
                 ),
             }
         }

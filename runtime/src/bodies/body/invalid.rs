@@ -3,7 +3,7 @@
 use core::fmt;
 
 use crate::mechanics::inertia::InvalidInertia;
-use crate::numbers::messages::debug_as_display;
+use crate::numbers::messages::{Number, debug_as_display};
 
 /// Why a body cannot be built from these parameters.
 #[derive(Clone, Copy, PartialEq)]
@@ -90,26 +90,36 @@ impl From<InvalidInertia> for InvalidBody {
 
 impl fmt::Display for InvalidBody {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotFinite { name, value } => write!(f, "`{name}` must be finite, is {value}"),
-            Self::Mass { value } => write!(f, "mass must be positive and finite, is {value} kg"),
-            Self::PlanarInertia { value } => {
-                write!(f, "inertia must be positive and finite, is {value} kg m²")
+        match *self {
+            Self::NotFinite { name, value } => {
+                write!(f, "`{name}` must be finite, is {}", Number(value))
             }
+            Self::Mass { value } => write!(
+                f,
+                "mass must be positive and finite, is {} kg",
+                Number(value)
+            ),
+            Self::PlanarInertia { value } => write!(
+                f,
+                "inertia must be positive and finite, is {} kg m²",
+                Number(value)
+            ),
             Self::Property {
                 of,
                 property,
                 value,
-            } => write!(f, "the {property} of `{of}` cannot be {value}"),
+            } => write!(f, "the {property} of `{of}` cannot be {}", Number(value)),
             Self::Inertia(error) => write!(f, "impossible inertia: {error}"),
             Self::Member { body, impossible } => match impossible {
                 Impossible::Mass(value) => write!(
                     f,
-                    "the mass of `{body}` must be positive and finite, is {value} kg"
+                    "the mass of `{body}` must be positive and finite, is {} kg",
+                    Number(value)
                 ),
                 Impossible::PlanarInertia(value) => write!(
                     f,
-                    "the inertia of `{body}` must be positive and finite, is {value} kg m²"
+                    "the inertia of `{body}` must be positive and finite, is {} kg m²",
+                    Number(value)
                 ),
                 Impossible::Inertia(error) => {
                     write!(f, "impossible inertia of `{body}`: {error}")

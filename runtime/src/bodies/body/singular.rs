@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::numbers::messages::debug_as_display;
+use crate::numbers::messages::{Brief, debug_as_display};
 
 /// A configuration in which the balances do not determine an unknown.
 ///
@@ -46,7 +46,9 @@ impl fmt::Display for Singular {
         } = self;
         write!(
             f,
-            "singular configuration: the divisor of `{unknown}` is {value:e}, nothing but rounding of terms of size {scale}"
+            "singular configuration: the divisor of `{unknown}` is {}, nothing but rounding of terms of size {}",
+            Brief(*value),
+            Brief(*scale)
         )
     }
 }

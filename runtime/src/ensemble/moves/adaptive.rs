@@ -20,7 +20,7 @@ use crate::ensemble::blocks::{BLOCK, Eight, write};
 use crate::ensemble::evaluate::in_chunks;
 use crate::ensemble::plan::{Limits, Plan};
 use crate::integrate::{
-    Adaptive, DormandPrince, Method, RungeKuttaPair, SeriesBelow, TaylorSeries, Verner, finest,
+    Adaptive, DormandPrince, Method, RungeKuttaPair, SeriesBelow, TaylorSeries, Verner,
 };
 use crate::numbers::lanes::{Lanes, Register, Work, by_itself};
 
@@ -79,34 +79,25 @@ fn stream<B: Generic, A: Adaptive + Method<B>>(
     let count = ensemble.len();
     let left: Vec<_> = (0..count).map(|_| AtomicBool::new(false)).collect();
     let done = Done::of(count, observer);
-    // what is impossible for all is reported by each alone
-    let is_finite = times.start.is_finite() && times.end.is_finite();
-    let reaches = limits.pace().reaches(times.start, times.end);
-    if is_finite && reaches && finest(method.tolerance()) > 0.0 {
-        let columns = <B::State as Columns<f64>>::COUNT;
-        let (members, width) = (&ensemble.members, ensemble.width);
-        in_chunks(ensemble.states.rows_mut(), columns, |first, rows| {
-            let here = BLOCK * first..count.min(BLOCK * (first + rows.len() / columns));
-            let plan = Plan {
-                method,
-                members,
-                first,
-                times: times.clone(),
-                limits,
-            };
-            width.run(Stream {
-                plan: &plan,
-                states: rows,
-                count: here.len(),
-                left: &left[here.clone()],
-            });
-            done.add(here.len());
+    let columns = <B::State as Columns<f64>>::COUNT;
+    let (members, width) = (&ensemble.members, ensemble.width);
+    in_chunks(ensemble.states.rows_mut(), columns, |first, rows| {
+        let here = BLOCK * first..count.min(BLOCK * (first + rows.len() / columns));
+        let plan = Plan {
+            method,
+            members,
+            first,
+            times: times.clone(),
+            limits,
+        };
+        width.run(Stream {
+            plan: &plan,
+            states: rows,
+            count: here.len(),
+            left: &left[here.clone()],
         });
-    } else {
-        for one in &left {
-            one.store(true, Ordering::Relaxed);
-        }
-    }
+        done.add(here.len());
+    });
     let left: Vec<usize> = (0..count)
         .filter(|index| left[*index].load(Ordering::Relaxed))
         .collect();

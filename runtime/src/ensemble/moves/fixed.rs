@@ -13,7 +13,7 @@ use crate::ensemble::blocks::{BLOCK, Blocks, Eight, GroupMut};
 use crate::ensemble::evaluate::{in_chunks, read};
 use crate::ensemble::plan::{Limits, Plan};
 use crate::ensemble::{Ensemble, Members};
-use crate::integrate::{Equations, Fixed, IntegrationError, RungeKutta, Setting, add};
+use crate::integrate::{Equations, Fixed, IntegrationError, RungeKutta, add};
 use crate::numbers::count::real;
 use crate::numbers::lanes::{Lanes, Register, Width, Work};
 use crate::state::Coordinates;
@@ -41,32 +41,17 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
         }
         let (time, end) = (times.start, times.end);
         let before = ensemble.states.clone();
-        let failed = |members: &Members<B>, index: usize, setting: Option<(Setting, f64)>| {
-            let state = before.get(index);
-            let error = match setting {
-                Some(setting) => IntegrationError::too_small(setting, time, state),
-                None => IntegrationError::lost(time, state),
-            };
+        let failed = |members: &Members<B>, index: usize| {
+            let error = IntegrationError::lost(time, before.get(index));
             let (body, input) = (members.body(index), members.inputs.get(index));
             let error = error.named(&body, &input, end >= time);
             MemberError { index, error }
-        };
-        let none_moves = |members: &Members<B>, setting: (Setting, f64)| {
-            let all = 0..before.len();
-            all.map(|index| failed(members, index, Some(setting)))
-                .collect()
         };
         let is_there = end - time == 0.0;
         if before.is_empty() || is_there {
             return Vec::new();
         }
-        let Some(steps) = self.count(end - time) else {
-            return none_moves(&ensemble.members, (Setting::Step, self.step));
-        };
-        let pace = limits.pace();
-        if pace.limit(time, end).is_none() || !pace.reaches(time, end) {
-            return none_moves(&ensemble.members, (Setting::MaxStep, limits.max_step));
-        }
+        let steps = self.count(end - time).unwrap_or(1);
         let done = Done::of(before.len(), observer);
         let plan = Plan {
             method: *self,
@@ -85,8 +70,7 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
             ensemble.states.set(*index, &before.get(*index));
         }
         let lost = lost.into_iter();
-        lost.map(|index| failed(&ensemble.members, index, None))
-            .collect()
+        lost.map(|index| failed(&ensemble.members, index)).collect()
     }
 }
 

@@ -12,7 +12,7 @@ use rayon::iter::IntoParallelIterator as _;
 
 use crate::bodies::columns::Columns;
 use crate::ensemble::blocks::Blocks;
-use crate::integrate::IntegrationError;
+use crate::integrate::{IntegrationError, InvalidSetting};
 use crate::numbers::count::real;
 use crate::numbers::messages::debug_as_display;
 
@@ -36,6 +36,59 @@ debug_as_display!(MemberError<S>);
 impl<S: 'static> core::error::Error for MemberError<S> {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         Some(&self.error)
+    }
+}
+
+/// The error of an integration of all members.
+#[derive(Clone, Copy, PartialEq)]
+pub enum EnsembleError<S> {
+    /// A setting that concerns all members is impossible. None has moved, unless an
+    /// [`EnsembleControl`](crate::ensemble::EnsembleControl) gave no time ahead.
+    Setting(InvalidSetting),
+    /// A member does not reach the end.
+    Member(MemberError<S>),
+}
+
+impl<S> EnsembleError<S> {
+    /// The error of a member, if it is one.
+    #[must_use]
+    pub fn member(&self) -> Option<&MemberError<S>> {
+        match self {
+            Self::Setting(_) => None,
+            Self::Member(error) => Some(error),
+        }
+    }
+}
+
+impl<S> From<InvalidSetting> for EnsembleError<S> {
+    fn from(invalid: InvalidSetting) -> Self {
+        Self::Setting(invalid)
+    }
+}
+
+impl<S> From<MemberError<S>> for EnsembleError<S> {
+    fn from(error: MemberError<S>) -> Self {
+        Self::Member(error)
+    }
+}
+
+impl<S> fmt::Display for EnsembleError<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Setting(invalid) => invalid.fmt(f),
+            Self::Member(error) => error.fmt(f),
+        }
+    }
+}
+
+debug_as_display!(EnsembleError<S>);
+
+impl<S: 'static> core::error::Error for EnsembleError<S> {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Setting(_) => None,
+            Self::Member(error) => error.source(),
+        }
     }
 }
 

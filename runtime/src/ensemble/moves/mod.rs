@@ -17,8 +17,8 @@ mod register;
 mod seats;
 mod ways;
 
-pub use members::MemberError;
 pub(super) use members::indices;
+pub use members::{EnsembleError, MemberError};
 pub use one_by_one::OneByOne;
 
 /// A method for all members of an ensemble.
@@ -29,8 +29,8 @@ pub trait Moves<B: Generic> {
     /// That method.
     fn alone(&self) -> Self::Alone;
 
-    /// Moves all members between two times \[s\], with the inputs held, and calls an observer with
-    /// the completed fraction. Members that do not reach the end keep their states, and are
+    /// Moves all members between two times \[s\], with the inputs held and settings that are
+    /// possible, and calls an observer with the completed fraction. Members that do not reach the end keep their states, and are
     /// returned, in order.
     fn moved(
         &self,

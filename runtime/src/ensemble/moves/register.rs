@@ -288,10 +288,7 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
         let limit = limits.until(member, stretch, (now, end, forwards), index);
         self.stretch[0].put(index, stretch.lower);
         self.stretch[1].put(index, stretch.upper);
-        match limits.pace().limit(now, limit) {
-            Some(limit) => self.limit.put(index, limit),
-            None => self.stop(index, Progress::Left),
-        }
+        self.limit.put(index, limits.pace().limit(now, limit));
     }
 
     /// Leaves a member whose mass or inertia is impossible now.

@@ -100,7 +100,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
         let limit = self
             .limits
             .until((body, input), &mut way.stretch, from, lane);
-        let limit = self.limits.pace().limit(now, limit).unwrap_or(limit);
+        let limit = self.limits.pace().limit(now, limit);
         if is_under_way && way.end == limit {
             return;
         }

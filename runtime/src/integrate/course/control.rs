@@ -17,11 +17,6 @@ pub trait Control<S, I> {
     }
 }
 
-/// Whether a period is lost in rounding at the end, so that it does not come to an end.
-pub(crate) fn period_is_lost(period: Option<f64>, end: f64) -> bool {
-    period.is_some_and(|period| end.is_finite() && end + period == end)
-}
-
 /// One input, held from the start to the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Held<I>(pub I);

@@ -1,5 +1,7 @@
 //! Times at equal intervals.
 
+use core::ops::Range;
+
 use crate::numbers::count::real;
 
 /// A start, and times at equal intervals from it up to an end, inclusive.
@@ -24,24 +26,25 @@ impl Instants {
         count: 0,
     };
 
-    /// None if the number of instants is not representable.
-    pub(crate) fn new(start: f64, end: f64, period: f64) -> Option<Self> {
+    /// With a period above the rounding of these times; the first instant is the start in any case.
+    pub(crate) fn new(times: Range<f64>, period: f64) -> Self {
+        let Range { start, end } = times;
         let intervals = (end - start).abs() / period;
-        let is_countable = (0.0..9_007_199_254_740_992.0).contains(&intervals); // 2⁵³
         // the end is one of them, despite rounding of their number and times
         let rounding = f64::EPSILON * (end.abs() + start.abs()) / period;
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "from 0 to 2⁵³"
+            reason = "from 0 to 2⁵³, if the period is not refused"
         )]
-        is_countable.then(|| Self {
+        let whole = (intervals * (1.0 + 1e-12) + rounding) as usize;
+        Self {
             start,
             end,
             period: period.copysign(end - start),
             next: 0,
-            count: (intervals * (1.0 + 1e-12) + rounding) as usize + 1,
-        })
+            count: whole.saturating_add(1),
+        }
     }
 }
 

@@ -10,6 +10,8 @@ use super::{Course, Pace};
 use crate::bodies::body::RigidBody;
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run, Tolerant};
+use crate::integrate::steps::setting::check_state;
+use crate::state::Coordinates;
 
 /// The default bound of the error of a step.
 pub(crate) const TOLERANCE: f64 = 1e-9;
@@ -51,7 +53,7 @@ pub(crate) const TOLERANCE: f64 = 1e-9;
 /// assert!((3.0..4.0).contains(&landing.time) && !landing.rises);
 /// # Ok::<(), newton_euler::integrate::IntegrationError<PlanarTranslation>>(())
 /// ```
-pub trait Integrate: RigidBody<Scalar = f64> + Sized {
+pub trait Integrate: RigidBody<Scalar = f64, State: Coordinates> + Sized {
     /// The best method for it.
     type Best: Method<Self> + Tolerant;
 
@@ -67,6 +69,7 @@ pub trait Integrate: RigidBody<Scalar = f64> + Sized {
             start: 0.0,
             state: state.clone(),
             method: Self::Best::with_tolerance(TOLERANCE),
+            tolerance: TOLERANCE,
             control: Held(Self::Input::default()),
             pace: Pace {
                 max_step: f64::INFINITY,
@@ -86,6 +89,9 @@ pub trait Integrate: RigidBody<Scalar = f64> + Sized {
 /// of [`steps`](Self::steps), of [`events`](Self::events). Time may run backwards. A motion that
 /// cannot reach its end gives an [`IntegrationError`] with the last good state; an iterator returns
 /// it as its last item.
+///
+/// All settings are checked before anything moves, whatever the method, also if the start is the
+/// end. The error of an impossible one is [`IntegrationError::InvalidSetting`].
 ///
 /// ```
 /// use newton_euler::prelude::*;
@@ -120,6 +126,8 @@ pub struct Integration<'b, B: RigidBody, M, C, L = Empty<f64>> {
     start: f64,
     state: B::State,
     method: M,
+    /// The tolerance given last, whatever the method.
+    tolerance: f64,
     control: C,
     pace: Pace<L>,
     #[cfg(feature = "progress")]
@@ -137,7 +145,7 @@ impl<B: RigidBody, M: fmt::Debug, C, L> fmt::Debug for Integration<'_, B, M, C, 
 
 impl<'b, B, M, C, L> Integration<'b, B, M, C, L>
 where
-    B: RigidBody<Scalar = f64>,
+    B: RigidBody<Scalar = f64, State: Coordinates>,
     M: Method<B>,
     C: Control<B::State, B::Input>,
     L: Iterator<Item: Borrow<f64>> + Clone,
@@ -156,7 +164,12 @@ where
     where
         M: Tolerant,
     {
-        self.method(M::with_tolerance(tolerance))
+        let method = M::with_tolerance(tolerance);
+        Self {
+            method,
+            tolerance,
+            ..self
+        }
     }
 
     /// Uses another method, such as [`Fixed`](crate::integrate::Fixed).
@@ -167,6 +180,7 @@ where
             start: self.start,
             state: self.state,
             method,
+            tolerance: self.tolerance,
             control,
             pace,
             #[cfg(feature = "progress")]
@@ -177,8 +191,8 @@ where
     /// Limits the length of steps \[s\], for short events that a longer step could miss.
     ///
     /// # Errors
-    /// By the integration: [`IntegrationError::InvalidSetting`] if the limit is not positive,
-    /// [`IntegrationError::StepTooSmall`] if it is lost in the rounding of time.
+    /// By the integration: [`IntegrationError::InvalidSetting`] if the limit is not positive, or
+    /// lost in the rounding of time.
     pub fn max_step(self, max_step: f64) -> Self {
         let Pace { breaks, .. } = self.pace;
         Self {
@@ -189,9 +203,11 @@ where
 
     /// Ends steps at these times \[s\] as well, in any order: times at which a load changes or
     /// sets in, and which are not known otherwise. The conditions on `t` of a description
-    /// are known ([`RigidBody::switches`]). NaN and times outside the motion are skipped.
-    /// Each step uses the equations of its own side, so loads may also jump
-    /// there.
+    /// are known ([`RigidBody::switches`]). Times outside the motion are skipped. Each step uses the
+    /// equations of its own side, so loads may also jump there.
+    ///
+    /// # Errors
+    /// By the integration: [`IntegrationError::InvalidSetting`] if one of them is infinite or NaN.
     ///
     /// ```
     /// use newton_euler::prelude::*;
@@ -221,6 +237,7 @@ where
             start: self.start,
             state: self.state,
             method: self.method,
+            tolerance: self.tolerance,
             control: self.control,
             pace,
             #[cfg(feature = "progress")]
@@ -249,6 +266,7 @@ where
             start: self.start,
             state: self.state,
             method: self.method,
+            tolerance: self.tolerance,
             control,
             pace: self.pace,
             #[cfg(feature = "progress")]
@@ -270,8 +288,8 @@ where
     /// after [`starting_at`](Self::starting_at).
     ///
     /// # Errors
-    /// [`IntegrationError`], if the motion or the tolerance leaves the range of numbers, or if
-    /// the motion chatters: it oscillates about a place where its equations jump, in very short
+    /// [`IntegrationError`], if a setting is impossible, if the motion leaves the range of numbers,
+    /// or if it chatters: it oscillates about a place where its equations jump, in very short
     /// steps, as under friction along `velocity.normalize()` at rest. Chattering is detected after
     /// some hundred thousand such steps, if millions are ahead. End such a motion by an
     /// [event](Self::events), or write friction that is smooth: `(v / eps).tanh()`.
@@ -282,8 +300,9 @@ where
     }
 
     /// `samples(end, period)`: the states at the start and after every period \[s\], up to the end
-    /// \[s\]. The end is the last sample if it is a whole number of periods away. If the period is
-    /// longer than the motion, the start is the only sample. Sampling does not change the steps.
+    /// \[s\]. The end is the last sample if it is a whole number of periods away. There is none beyond
+    /// the end: if the period is longer than the motion, the start is the only sample, and nothing
+    /// moves. Sampling does not change the steps.
     pub fn samples(self, end: f64, period: f64) -> Samples<M::Run<'b>, C, B, L> {
         Samples::new(self.course(end), period)
     }
@@ -325,10 +344,20 @@ where
         let bar = self
             .shows_progress
             .then(|| super::progress::Bar::new(self.start..end));
+        let (times, method, period) = (
+            self.start..end,
+            self.method.setting(),
+            self.control.period(),
+        );
+        let checked = self.pace.check(&times, self.tolerance, method, period);
+        let checked = checked.and_then(|()| check_state(&self.state));
         let start = (self.start, &self.state);
         let course = Course::new(self.body, self.method, self.control, self.pace, start, end);
-        #[cfg(feature = "progress")]
-        let course = Course { bar, ..course };
-        course
+        Course {
+            refused: checked.err(),
+            #[cfg(feature = "progress")]
+            bar,
+            ..course
+        }
     }
 }

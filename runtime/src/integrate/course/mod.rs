@@ -1,12 +1,13 @@
 //! A motion from its start to its end, with changing inputs, and its observation.
 
 use core::borrow::Borrow;
+use core::ops::Range;
 
 use crate::bodies::body::RigidBody;
 use crate::bodies::switches::Stretch;
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run};
-use crate::integrate::steps::setting::Setting;
+use crate::integrate::steps::setting::{self, InvalidSetting, Setting};
 
 pub mod control;
 pub mod instants;
@@ -15,7 +16,7 @@ pub mod observed;
 #[cfg(feature = "progress")]
 pub mod progress;
 
-use control::{Control, period_is_lost};
+use control::Control;
 #[cfg(feature = "progress")]
 use progress::Bar;
 
@@ -29,23 +30,36 @@ pub(crate) struct Pace<L> {
 }
 
 impl<L> Pace<L> {
-    /// The time at which a step from a given time must end, if other reasons end it at `limit`;
-    /// none if there is no such step.
-    pub(crate) fn limit(&self, time: f64, limit: f64) -> Option<f64> {
-        let longest = self.max_step > 0.0;
-        let step = self.max_step.min((limit - time).abs());
-        let next = if step < (limit - time).abs() {
-            time + step.copysign(limit - time)
+    /// The time at which a step from a given time must end, if other reasons end it at `limit`.
+    pub(crate) fn limit(&self, time: f64, limit: f64) -> f64 {
+        let rest = limit - time;
+        if self.max_step < rest.abs() {
+            time + self.max_step.copysign(rest)
         } else {
             limit
-        };
-        (longest && next != time).then_some(next)
+        }
     }
+}
 
-    /// Whether the longest steps are not lost in rounding at the end, either.
-    pub(crate) fn reaches(&self, time: f64, end: f64) -> bool {
-        let is_limited = self.max_step < f64::INFINITY && end.is_finite();
-        !is_limited || self.limit(end, time).is_some()
+impl<L: Iterator<Item: Borrow<f64>> + Clone> Pace<L> {
+    /// Checks all settings of an integration, before it begins: the times, the tolerance, the
+    /// setting of the method, the period of the controller, the longest step and the breaks.
+    pub(crate) fn check(
+        &self,
+        times: &Range<f64>,
+        tolerance: f64,
+        method: Option<(Setting, f64)>,
+        period: Option<f64>,
+    ) -> Result<(), InvalidSetting> {
+        let own = [
+            (Setting::Tolerance, tolerance),
+            (Setting::MaxStep, self.max_step),
+        ];
+        let period = period.map(|period| (Setting::Period, period));
+        let breaks = self.breaks.clone();
+        let breaks = breaks.map(|time| (Setting::Break, *time.borrow()));
+        let settings = own.into_iter().chain(method).chain(period).chain(breaks);
+        setting::check(times, settings)
     }
 }
 
@@ -63,6 +77,8 @@ pub(crate) struct Course<R, C, B: RigidBody, L> {
     pub(crate) pace: Pace<L>,
     pub(crate) end: f64,
     pub(crate) forwards: bool,
+    /// Why the motion cannot begin.
+    pub(crate) refused: Option<InvalidSetting>,
     #[cfg(feature = "progress")]
     pub(crate) bar: Option<Bar>,
 }
@@ -77,7 +93,7 @@ where
     C: Control<B::State, B::Input>,
     L: Iterator<Item: Borrow<f64>> + Clone,
 {
-    /// A motion before its first step.
+    /// A motion before its first step, with settings that are possible.
     pub(crate) fn new<'b, M: Method<B, Run<'b> = R>>(
         body: &'b B,
         method: M,
@@ -105,6 +121,7 @@ where
             pace,
             end,
             forwards: end >= time,
+            refused: None,
             #[cfg(feature = "progress")]
             bar: None,
         }
@@ -129,25 +146,32 @@ where
         }
     }
 
+    /// The error of a motion that cannot begin.
+    fn begin(&self) -> Outcome<(), B> {
+        match self.refused {
+            None => Ok(()),
+            Some(invalid) => {
+                let (time, state) = (self.run.time(), self.run.state());
+                Err(IntegrationError::refused(invalid, time, state))
+            }
+        }
+    }
+
     /// Gets a new input where the last one ends, determines how long the equations do not change,
     /// and returns the end of the next step.
     fn limit(&mut self) -> Outcome<f64, B> {
         let time = self.run.time();
-        if !(time.is_finite() && self.end.is_finite()) {
-            let state = self.run.state();
-            return Err(IntegrationError::endless(time..self.end, state));
-        }
         let is_given = time == self.held_until;
         if is_given {
             let state = self.run.state();
             let (input, until) = self.control.input(time, &state, self.end);
             (self.input, self.held_until) = (input, until);
             self.run.renew();
-            let period = self.control.period();
-            if !self.is_before(until) || period_is_lost(period, self.end) {
-                let period = period.unwrap_or(until - time);
-                let setting = (Setting::Period, period);
-                return Err(IntegrationError::too_small(setting, time, state));
+            if !self.is_before(until) {
+                let (setting, ahead) = (Setting::Period, until - time);
+                let value = if self.forwards { ahead } else { -ahead };
+                let invalid = InvalidSetting { setting, value };
+                return Err(IntegrationError::refused(invalid, time, state));
             }
         }
         if is_given || !self.is_before(self.stretch.next) {
@@ -162,16 +186,12 @@ where
             self.run.enter(self.stretch);
         }
         let limit = self.nearer(self.nearer(self.held_until, self.end), self.stretch.next);
-        let next = self.pace.limit(time, limit);
-        let next = next.filter(|_| self.pace.reaches(time, self.end));
-        next.ok_or_else(|| {
-            let setting = (Setting::MaxStep, self.pace.max_step);
-            IntegrationError::too_small(setting, time, self.run.state())
-        })
+        Ok(self.pace.limit(time, limit))
     }
 
     /// Takes a step; false if the end is reached.
     fn step(&mut self) -> Outcome<bool, B> {
+        self.begin()?;
         if self.run.time() == self.end {
             return Ok(false);
         }
@@ -184,7 +204,8 @@ where
 
     /// Advances until a time, not beyond the end, lies within the last step.
     pub(crate) fn seek(&mut self, time: f64) -> Outcome<(), B> {
-        while self.is_before(time) || time.is_nan() || !self.run.time().is_finite() {
+        self.begin()?;
+        while self.is_before(time) {
             let limit = self.limit()?;
             let reached = if self.pace.max_step < f64::INFINITY {
                 self.run.step(limit, &self.input)

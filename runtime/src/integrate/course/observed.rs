@@ -9,9 +9,9 @@ use super::instants::Instants;
 use super::{Course, Outcome};
 use crate::bodies::body::RigidBody;
 use crate::bodies::columns::{Columns, Named, Names, Sink, Source};
-use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::event::{Event, Search};
 use crate::integrate::steps::method::Run;
+use crate::integrate::steps::setting::{Setting, check};
 
 /// A time and the state at it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,9 +45,7 @@ impl<S: Named> Named for Sample<S> {
 /// States at equal intervals: see [`Integration::samples`](crate::integrate::Integration::samples).
 pub struct Samples<R, C, B: RigidBody, L = Empty<f64>> {
     course: Course<R, C, B, L>,
-    /// None if the period is invalid.
-    instants: Option<Instants>,
-    period: f64,
+    instants: Instants,
 }
 
 impl<R, C, B, L> Samples<R, C, B, L>
@@ -57,13 +55,12 @@ where
     C: Control<B::State, B::Input>,
     L: Iterator<Item: Borrow<f64>> + Clone,
 {
-    pub(super) fn new(course: Course<R, C, B, L>, period: f64) -> Self {
-        let instants = Instants::new(course.run.time(), course.end, period);
-        Self {
-            course,
-            instants,
-            period,
-        }
+    pub(super) fn new(mut course: Course<R, C, B, L>, period: f64) -> Self {
+        let times = course.run.time()..course.end;
+        let checked = check(&times, [(Setting::Period, period)]);
+        course.refused = course.refused.or(checked.err());
+        let instants = Instants::new(times, period);
+        Self { course, instants }
     }
 }
 
@@ -77,20 +74,10 @@ where
     type Item = Outcome<Sample<B::State>, B>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        let Some(instants) = &mut self.instants else {
-            self.instants = Some(Instants::NONE);
-            let times = self.course.run.time()..self.course.end;
-            let state = self.course.run.state();
-            return Some(Err(IntegrationError::uncountable(
-                self.period,
-                times,
-                state,
-            )));
-        };
-        let time = instants.next()?;
+        let time = self.instants.next()?;
         let reached = self.course.seek(time);
         if reached.is_err() {
-            *instants = Instants::NONE;
+            self.instants = Instants::NONE;
         }
         Some(reached.map(|()| Sample {
             time,

@@ -84,6 +84,10 @@ macro_rules! adaptive {
             fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> Self::Run<'b> {
                 AdaptiveRun::new(body, time, state, self.tolerance)
             }
+
+            fn setting(&self) -> Option<(Setting, f64)> {
+                Some((Setting::Tolerance, self.tolerance))
+            }
         }
     };
 }
@@ -94,8 +98,6 @@ adaptive!(Verner by Verner9);
 /// A motion in steps as long as its tolerance permits.
 pub struct AdaptiveRun<'b, B: RigidBody<Scalar = f64, State: Coordinates>, P = DormandPrince8> {
     within: Within<'b, B>,
-    /// The tolerance, as given and as used.
-    given: f64,
     tolerance: f64,
     now: Point<B::State>,
     /// The start of the last step.
@@ -111,7 +113,6 @@ impl<'b, B: RigidBody<Scalar = f64, State: Coordinates>, P> AdaptiveRun<'b, B, P
         let now = Point::new(time, state);
         Self {
             within: Within::new(body, time),
-            given: tolerance,
             tolerance: finest(tolerance),
             before: (time, now.coordinates),
             now,
@@ -163,10 +164,6 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>, P: Embedded> Run<B> for Ada
         }
         self.before = (self.now.time, self.now.coordinates);
         let (time, rest) = (self.now.time, self.now.rest(end));
-        if self.lengths.is_none() && self.tolerance == 0.0 {
-            let setting = (Setting::Tolerance, self.given);
-            return Err(IntegrationError::too_small(setting, time, self.now.state()));
-        }
         let lengths = self.lengths.get_or_insert_with(|| {
             let coordinates = &self.now.coordinates;
             let step = first::<P, _, _>(&equations, time, coordinates, rest, self.tolerance);

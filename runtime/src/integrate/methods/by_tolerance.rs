@@ -6,6 +6,7 @@ use super::runge_kutta::{DormandPrince8, Verner9};
 use super::series::{SeriesRun, TaylorSeries};
 use crate::bodies::body::RigidBody;
 use crate::integrate::steps::method::{Method, Tolerant};
+use crate::integrate::steps::setting::Setting;
 use crate::state::Coordinates;
 use crate::taylor::Taylor;
 
@@ -44,6 +45,10 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> for RungeKuttaPai
             EitherRun::Second(Verner { tolerance }.start(body, time, state))
         }
     }
+
+    fn setting(&self) -> Option<(Setting, f64)> {
+        Some((Setting::Tolerance, self.tolerance))
+    }
 }
 
 /// [`TaylorSeries`] for tolerances of 10⁻ᴺ and below, [`RungeKuttaPair`] above: the faster of both
@@ -79,5 +84,9 @@ impl<B: Taylor, const N: u32> Method<B> for SeriesBelow<N> {
         } else {
             EitherRun::Second(RungeKuttaPair { tolerance }.start(body, time, state))
         }
+    }
+
+    fn setting(&self) -> Option<(Setting, f64)> {
+        Some((Setting::Tolerance, self.tolerance))
     }
 }

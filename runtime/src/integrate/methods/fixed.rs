@@ -10,7 +10,7 @@ use crate::integrate::steps::equations::Equations;
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run};
 use crate::integrate::steps::point::Point;
-use crate::integrate::steps::setting::Setting;
+use crate::integrate::steps::setting::{InvalidSetting, Setting};
 use crate::integrate::steps::stretch::Within;
 use crate::numbers::count::real;
 use crate::state::Coordinates;
@@ -59,6 +59,10 @@ impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> fo
             steps: Range::default(),
         }
     }
+
+    fn setting(&self) -> Option<(Setting, f64)> {
+        Some((Setting::Step, self.step))
+    }
 }
 
 /// A motion in equal steps.
@@ -104,9 +108,10 @@ impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for F
         if self.steps.is_empty() || self.span.end != end {
             self.span = self.now.time..end;
             let Some(count) = self.fixed.count(end - self.now.time) else {
-                let setting = (Setting::Step, self.fixed.step);
+                let (setting, value) = (Setting::Step, self.fixed.step);
                 let (time, state) = (self.now.time, self.now.state());
-                return Err(IntegrationError::too_small(setting, time, state));
+                let invalid = InvalidSetting { setting, value };
+                return Err(IntegrationError::refused(invalid, time, state));
             };
             self.steps = 0..count;
         }

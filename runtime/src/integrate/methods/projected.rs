@@ -9,6 +9,7 @@ use crate::bodies::constrained::{Constrained, Inconsistent};
 use crate::bodies::switches::Stretch;
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run, Tolerant};
+use crate::integrate::steps::setting::Setting;
 use crate::integrate::steps::stretch::Within;
 use crate::numbers::count::real;
 
@@ -42,6 +43,10 @@ impl<B: Constrained<Scalar = f64>, M: Method<B>> Method<B> for Projected<M> {
             longest: 0.0,
             short: 0,
         }
+    }
+
+    fn setting(&self) -> Option<(Setting, f64)> {
+        self.0.setting()
     }
 }
 

@@ -1,19 +1,18 @@
 //! Errors that end an integration early.
 
 use core::fmt;
-use core::ops::Range;
 
-use super::setting::Setting;
+use super::setting::{InvalidSetting, Setting, check_state};
 use crate::bodies::body::{InvalidBody, RigidBody};
 use crate::bodies::constrained::Inconsistent;
-use crate::numbers::messages::{Brief, debug_as_display};
+use crate::numbers::messages::{Brief, Number, debug_as_display};
 use crate::state::{Coordinates, State};
 
 /// The error of an integration, with the last good state and its time.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum IntegrationError<S> {
-    /// A number that the integration was given is impossible.
+    /// A number that the integration was given is impossible. All are checked before it begins.
     InvalidSetting {
         /// \[s\]
         time: f64,
@@ -34,8 +33,8 @@ pub enum IntegrationError<S> {
         /// [`RigidBody::lost_load`].
         load: Option<&'static str>,
     },
-    /// The step, or a given period, is lost in the rounding of time: a singularity is near, or the
-    /// tolerance is below the precision of doubles. Or steps are so short that the motion does not
+    /// The step is lost in the rounding of time: a singularity is near, or the tolerance is below
+    /// the precision of doubles. Or steps are so short that the motion does not
     /// end: the equations jump, and drive the motion back from both sides of the jump, as friction
     /// along `velocity.normalize()` does where a point comes to rest.
     StepTooSmall {
@@ -96,44 +95,15 @@ pub enum IntegrationError<S> {
 }
 
 impl<S> IntegrationError<S> {
-    /// The number of instants at this period between these times is not representable; the state is
-    /// that at the first.
-    pub(crate) fn uncountable(period: f64, times: Range<f64>, state: S) -> Self {
-        if times.start.is_finite() && times.end.is_finite() {
-            Self::too_small((Setting::Period, period), times.start, state)
-        } else {
-            Self::endless(times, state)
-        }
-    }
-
-    /// The start or the end is not finite.
-    pub(crate) fn endless(times: Range<f64>, state: S) -> Self {
-        let Range { start: time, end } = times;
-        let (setting, value) = if time.is_finite() {
-            (Setting::End, end)
-        } else {
-            (Setting::Start, time)
-        };
+    /// The motion does not begin, or not continue, from this state: a setting is impossible.
+    #[cold]
+    pub(crate) fn refused(invalid: InvalidSetting, time: f64, state: S) -> Self {
+        let InvalidSetting { setting, value } = invalid;
         Self::InvalidSetting {
             time,
             state,
             setting,
             value,
-        }
-    }
-
-    /// The setting is not positive, or gives steps that are too small.
-    pub(crate) fn too_small((setting, value): (Setting, f64), time: f64, state: S) -> Self {
-        if value > 0.0 && setting != Setting::Tolerance {
-            let step = value;
-            Self::StepTooSmall { time, state, step }
-        } else {
-            Self::InvalidSetting {
-                time,
-                state,
-                setting,
-                value,
-            }
         }
     }
 
@@ -176,36 +146,41 @@ impl<S> IntegrationError<S> {
 impl<S> fmt::Display for IntegrationError<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::InvalidSetting { setting, value, .. } => write!(
-                f,
-                "{setting} is {}{}: it must be {}",
-                Brief(*value),
-                setting.unit(),
-                setting.must_be()
-            ),
+            Self::InvalidSetting { setting, value, .. } => {
+                let (setting, value) = (*setting, *value);
+                InvalidSetting { setting, value }.fmt(f)
+            }
             Self::NotFinite { time, load, .. } => {
-                write!(f, "the motion is not finite after {time} s")?;
+                write!(f, "the motion is not finite after {} s", Number(*time))?;
                 load.map_or(Ok(()), |load| write!(f, ": `{load}` is not finite"))
             }
             Self::StepTooSmall { time, step, .. } => write!(
                 f,
-                "at {time} s the step is {} s, which is lost in rounding, or too short to come to an end",
+                "at {} s the step is {} s, which is lost in rounding, or too short to come to an end",
+                Number(*time),
                 Brief(*step)
             ),
             Self::StepTooLong { time, step, .. } => write!(
                 f,
-                "at {time} s a step of {} s is too long: its equations are not solved, take shorter ones",
+                "at {} s a step of {} s is too long: its equations are not solved, take shorter ones",
+                Number(*time),
                 Brief(*step)
             ),
-            Self::InvalidBody { time, invalid, .. } => write!(f, "after {time} s: {invalid}"),
-            Self::Inconsistent { time, violated, .. } => write!(f, "at {time} s: {violated}"),
+            Self::InvalidBody { time, invalid, .. } => {
+                write!(f, "after {} s: {invalid}", Number(*time))
+            }
+            Self::Inconsistent { time, violated, .. } => {
+                write!(f, "at {} s: {violated}", Number(*time))
+            }
             Self::Undetermined {
                 time, constraint, ..
             } => write!(
                 f,
-                "after {time} s the motion is not determined: `{constraint}` follows from the other constraints there, as at a dead point or a change point"
+                "after {} s the motion is not determined: `{constraint}` follows from the other constraints there, as at a dead point or a change point",
+                Number(*time)
             ),
             Self::EventNotANumber { time, .. } => {
+                let time = Number(*time);
                 write!(f, "at {time} s the function of the events is not a number")
             }
         }
@@ -216,16 +191,9 @@ impl<S: Coordinates<Scalar = f64>> IntegrationError<S> {
     /// The motion from this state is not finite, or the state itself is not.
     #[cold]
     pub(crate) fn lost(time: f64, state: S) -> Self {
-        let coordinates = state.coordinates();
-        let invalid = coordinates.as_ref().iter().find(|one| !one.is_finite());
-        match invalid {
-            Some(&value) => Self::InvalidSetting {
-                time,
-                state,
-                setting: Setting::InitialState,
-                value,
-            },
-            None => Self::not_finite(time, state),
+        match check_state(&state) {
+            Err(invalid) => Self::refused(invalid, time, state),
+            Ok(()) => Self::not_finite(time, state),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The interface of methods to [`Integration`](crate::integrate::Integration).
 
 use super::error::IntegrationError;
+use super::setting::Setting;
 use crate::bodies::body::RigidBody;
 use crate::bodies::switches::Stretch;
 
@@ -13,6 +14,12 @@ pub trait Method<B: RigidBody<Scalar = f64>>: Copy + Send + Sync {
 
     /// Begins a motion at a state.
     fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> Self::Run<'b>;
+
+    /// Its setting, with its value, if it has one. An integration refuses an impossible value
+    /// before it begins.
+    fn setting(&self) -> Option<(Setting, f64)> {
+        None
+    }
 }
 
 /// A method with a bound of the error of a step.

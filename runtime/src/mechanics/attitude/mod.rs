@@ -120,6 +120,7 @@ pub(crate) mod checked {
     use nalgebra::{Quaternion, UnitQuaternion, Vector4};
     use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
+    use crate::numbers::messages::Number;
     use crate::numbers::scalar::Scalar;
 
     /// The permitted deviation of |q|² from 1 on reading. An attitude printed with nine digits
@@ -156,8 +157,9 @@ pub(crate) mod checked {
             let is_unit = (square - 1.0).abs() <= tolerance::<T>();
             if !is_unit {
                 return Err(D::Error::custom(format_args!(
-                    "attitude must be a unit quaternion: |q|² is {square}, further than {:e} from 1",
-                    tolerance::<T>()
+                    "attitude must be a unit quaternion: |q|² is {}, further than {} from 1",
+                    Number(square),
+                    Number(tolerance::<T>())
                 )));
             }
         }

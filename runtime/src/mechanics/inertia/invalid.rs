@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::matrix::{exponent, scaled};
 use crate::mechanics::principal::diagonalized;
-use crate::numbers::messages::debug_as_display;
+use crate::numbers::messages::{Number, debug_as_display};
 
 /// [`InertiaTensor::SLACK`](super::InertiaTensor::SLACK)
 pub(super) const SLACK: f64 = 4.0 * f64::EPSILON;
@@ -72,40 +72,50 @@ pub enum InvalidInertia {
 
 impl fmt::Display for InvalidInertia {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
+        match *self {
             Self::NotFinite { entry } => write!(f, "entry {entry} is not finite"),
-            Self::Asymmetric {
-                entry,
-                values: [upper, lower],
-            } => write!(
-                f,
-                "not symmetric: entry {entry} is {upper} above the diagonal and {lower} below"
-            ),
+            Self::Asymmetric { entry, values } => {
+                let [upper, lower] = values.map(Number);
+                write!(
+                    f,
+                    "not symmetric: entry {entry} is {upper} above the diagonal and {lower} below"
+                )
+            }
             Self::Negative { axis, moment } => {
+                let moment = Number(moment);
                 write!(f, "the moment about {axis} is negative: {moment}")
             }
             Self::Triangle {
                 axis,
                 moment,
                 others,
-            } => write!(
-                f,
-                "triangle inequality: the moment about {axis} is {moment}, more than the sum {others} of the other two"
-            ),
+            } => {
+                let [moment, others] = [moment, others].map(Number);
+                write!(
+                    f,
+                    "triangle inequality: the moment about {axis} is {moment}, more than the sum {others} of the other two"
+                )
+            }
             Self::Product {
                 entry,
                 product,
                 bound,
-            } => write!(
-                f,
-                "the product {entry} is {product} in magnitude, more than half the moment about the third axis, {bound}"
-            ),
-            Self::Principal { moments: [a, b, c] } => write!(
-                f,
-                "triangle inequality in principal axes: of the moments {a}, {b}, {c} the last exceeds the sum of the others"
-            ),
+            } => {
+                let [product, bound] = [product, bound].map(Number);
+                write!(
+                    f,
+                    "the product {entry} is {product} in magnitude, more than half the moment about the third axis, {bound}"
+                )
+            }
+            Self::Principal { moments } => {
+                let [a, b, c] = moments.map(Number);
+                write!(
+                    f,
+                    "triangle inequality in principal axes: of the moments {a}, {b}, {c} the last exceeds the sum of the others"
+                )
+            }
             Self::Singular => write!(f, "there is no moment about some axis (a rod or a point)"),
-            Self::Mass { value } => write!(f, "no body has the mass {value} kg"),
+            Self::Mass { value } => write!(f, "no body has the mass {} kg", Number(value)),
         }
     }
 }

@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::matrix::of_second_moments;
 use super::{InertiaTensor, InvalidInertia, MassProperties, invalid};
-use crate::numbers::messages::debug_as_display;
+use crate::numbers::messages::{Number, debug_as_display};
 
 /// Why a surface encloses no body.
 pub enum InvalidMesh {
@@ -43,11 +43,14 @@ impl fmt::Display for InvalidMesh {
             Self::Empty => write!(f, "the triangles hold no volume"),
             Self::NotFinite => write!(f, "coordinates are finite, density and scale positive"),
             Self::NoVertex { vertex } => write!(f, "there is no vertex {vertex}"),
-            Self::Open { edge: [from, to] } => write!(
-                f,
-                "the surface is not closed: triangles do not meet along the edge from ({}, {}, {}) to ({}, {}, {})",
-                from.x, from.y, from.z, to.x, to.y, to.z
-            ),
+            Self::Open { edge } => {
+                let [[x, y, z], [to_x, to_y, to_z]] =
+                    edge.map(|end| <[f64; 3]>::from(end).map(Number));
+                write!(
+                    f,
+                    "the surface is not closed: triangles do not meet along the edge from ({x}, {y}, {z}) to ({to_x}, {to_y}, {to_z})"
+                )
+            }
             Self::InsideOut => write!(f, "the surface is inside out: its triangles run clockwise"),
             Self::Inertia(error) => error.fmt(f),
         }

@@ -31,7 +31,7 @@ pub enum TrimError {
     NothingTurns,
     /// More constraints and conditions than twice the coordinates of the state.
     TooMany,
-    /// The acceleration is NaN at the start.
+    /// A number of the start, or the acceleration there, is infinite or NaN.
     NotFinite {
         /// A load without a value there, if it is known.
         load: Option<&'static str>,
@@ -75,7 +75,7 @@ impl fmt::Display for TrimError {
             ),
             Self::TooMany => f.write_str("there are more constraints and conditions than can be met"),
             Self::NotFinite { load } => {
-                f.write_str("the acceleration is not finite at the start")?;
+                f.write_str("the start, or the acceleration there, is not finite")?;
                 load.map_or(Ok(()), |load| write!(f, ": `{load}`"))
             }
             Self::Unbalanced { residual, held } => {

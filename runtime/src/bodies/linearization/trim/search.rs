@@ -13,6 +13,7 @@ use super::trimmed::Trimmed;
 use crate::bodies::linearization::coordinated::Coordinated;
 use crate::bodies::linearization::matrices::Linearized;
 use crate::bodies::linearization::tangent;
+use crate::state::Coordinates as _;
 
 /// Steady motions and equilibria of bodies and systems with `outputs: [linearization]`.
 ///
@@ -203,6 +204,9 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         if self.steady.turning.is_some() && !B::PLACES.iter().any(|place| place.turns()) {
             return Err(TrimError::NothingTurns);
         }
+        if !self.is_finite() {
+            return Err(TrimError::NotFinite { load: None });
+        }
         let start = self.start();
         if start.about.rows.is_full() || start.about.kept.len() > N {
             return Err(TrimError::TooMany);
@@ -217,6 +221,15 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
             return Ok(self.trimmed(end));
         }
         Err(self.lacking(&end))
+    }
+
+    /// Whether all given numbers are.
+    fn is_finite(&self) -> bool {
+        let (coordinates, turning) = (self.state.coordinates(), self.steady.turning);
+        let turning = turning.unwrap_or_default();
+        let numbers = coordinates.as_ref().iter().chain(&self.input);
+        let mut all = numbers.chain(&turning).chain([&self.steady.time]);
+        all.all(|number| number.is_finite())
     }
 
     fn start(&self) -> Here<B, N, M>

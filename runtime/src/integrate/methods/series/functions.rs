@@ -5,6 +5,7 @@ use core::ops::Range;
 use super::TaylorSeries;
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run};
+use crate::integrate::steps::setting::{self, Setting};
 use crate::taylor::{Plain, Series, Taylor, after};
 
 /// The state at the end of a span of time \[s\], from the state at its start. The input is held, or
@@ -31,7 +32,8 @@ use crate::taylor::{Plain, Series, Taylor, after};
 /// ```
 ///
 /// # Errors
-/// [`IntegrationError`], if the motion or the tolerance leaves the range of numbers.
+/// [`IntegrationError`], if a time, the state or the tolerance is impossible, or the motion leaves
+/// the range of numbers.
 pub fn taylor<B: Taylor>(
     body: &B,
     state: &B::State,
@@ -39,9 +41,9 @@ pub fn taylor<B: Taylor>(
     times: Range<f64>,
     tolerance: f64,
 ) -> Result<B::State, IntegrationError<B::State>> {
-    if !(times.start.is_finite() && times.end.is_finite()) {
-        return Err(IntegrationError::endless(times, state.clone()));
-    }
+    let checked = setting::check(&times, [(Setting::Tolerance, tolerance)]);
+    let checked = checked.and_then(|()| setting::check_state(state));
+    checked.map_err(|invalid| IntegrationError::refused(invalid, times.start, state.clone()))?;
     let mut run = TaylorSeries { tolerance }.start(body, times.start, state);
     let reached = run.seek(times.end, times.end, input);
     let forwards = times.end >= times.start;

@@ -5,6 +5,7 @@ use core::fmt;
 use crate::bodies::switches::Stretch;
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run, Tolerant};
+use crate::integrate::steps::setting::Setting;
 use crate::integrate::steps::step;
 use crate::taylor::Taylor;
 use motion::Motion;
@@ -51,6 +52,10 @@ macro_rules! orders {
                     $($least => Motions::$order(Motion::new(body, time, state)),)*
                 };
                 SeriesRun { motion, tolerance: self.tolerance, start: time, length: 0.0 }
+            }
+
+            fn setting(&self) -> Option<(Setting, f64)> {
+                Some((Setting::Tolerance, self.tolerance))
             }
         }
 

@@ -2,7 +2,7 @@
 
 use super::Motion;
 use crate::integrate::steps::error::IntegrationError;
-use crate::integrate::steps::setting::Setting;
+use crate::integrate::steps::setting::{self, Setting};
 use crate::integrate::steps::size::finest;
 use crate::integrate::steps::step::Step;
 use crate::taylor::{Taylor, increment};
@@ -37,17 +37,16 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         tolerance: f64,
         is_held: bool,
     ) -> Result<Option<Step<'_, B::State>>, IntegrationError<B::State>> {
-        let rest = self.now.rest(end);
+        let (time, rest) = (self.now.time, self.now.rest(end));
+        let given = [(Setting::Tolerance, tolerance)];
+        let tolerance = finest(tolerance);
+        if rest.is_nan() || tolerance == 0.0 {
+            let checked = setting::check(&(time..end), given);
+            let refused = |invalid| IntegrationError::refused(invalid, time, self.state());
+            checked.map_err(refused)?;
+        }
         if rest == 0.0 {
             return Ok(None);
-        }
-        if rest.is_nan() {
-            return Err(IntegrationError::endless(self.now.time..end, self.state()));
-        }
-        let (time, given, tolerance) = (self.now.time, tolerance, finest(tolerance));
-        if tolerance == 0.0 {
-            let setting = (Setting::Tolerance, given);
-            return Err(IntegrationError::too_small(setting, time, self.state()));
         }
         self.look(rest, input, tolerance)?;
         self.expand(input);

@@ -273,13 +273,16 @@ impl Graph {
     /// visited.
     pub fn reachable(&self, roots: &[Id], enter: impl Fn(Id) -> bool) -> Vec<Id> {
         let mut pending = Pending::default();
-        roots.iter().for_each(|root| pending.insert(root.0));
+        for root in roots {
+            pending.insert(root.0);
+        }
         let mut found = Vec::new();
         while let Some(id) = pending.take_last().map(Id) {
             found.push(id);
             if enter(id) {
-                let operands = self.node(id).operands();
-                operands.for_each(|operand| pending.insert(operand.0));
+                for operand in self.node(id).operands() {
+                    pending.insert(operand.0);
+                }
             }
         }
         found.reverse();

@@ -73,7 +73,7 @@ mod tests {
     use mounted::symbolic::{Id, Number};
 
     /// An expansion without optimisation takes ten times as long.
-    const SYSTEMS: usize = if cfg!(debug_assertions) { 25 } else { 300 };
+    const SYSTEMS: usize = if cfg!(debug_assertions) { 25 } else { 250 };
 
     #[test]
     fn systems_move_by_the_law() {

@@ -51,3 +51,47 @@ fn a_time_beyond_all_doubles_is_an_error() {
         "{end:?}"
     );
 }
+
+/// A motion of a few roundings of time is one step. The last piece of a sum of pieces is as short.
+#[test]
+fn motions_of_a_few_roundings_are_one_step() {
+    let body = Oscillator::default();
+    let verner = Verner { tolerance: 1e-9 };
+    let moved = |start: f64, end: f64, state: &Translation| {
+        let motion = body.integrate(state).method(verner);
+        motion.starting_at(start).to(end).unwrap()
+    };
+    for start in [1.0_f64, -1.0, 1e-300, 0.0, 1e9] {
+        for roundings in 1..40 {
+            let mut end = start;
+            (0..roundings).for_each(|_| end = end.next_up());
+            let seconds = end - start;
+            for (from, to) in [(start, end), (end, start)] {
+                let found = moved(from, to, &START).position.x;
+                let expected = (10.0 * seconds).cos();
+                assert!((found - expected).abs() < 1e-13, "{from} to {to}");
+            }
+        }
+    }
+    for pieces in 1..200 {
+        let (mut time, mut state) = (0.0, START);
+        while time < 1.0 {
+            let next = (time + 1.0 / f64::from(pieces)).min(1.0);
+            state = moved(time, next, &state);
+            time = next;
+        }
+        assert!((state.position.x - 10_f64.cos()).abs() < 1e-6, "{pieces}");
+    }
+}
+
+#[test]
+fn late_periods_of_a_few_roundings_are_taken() {
+    let body = Oscillator::default();
+    for (start, period) in [(1e9, 3e-7), (1e9, 1e-6), (1e12, 1e-3)] {
+        let motion = body.integrate(&START).method(Verner { tolerance: 1e-9 });
+        let motion = motion.starting_at(start).max_step(period);
+        let end = motion.to(start + 20.0 * period).unwrap();
+        let expected = (10.0 * ((start + 20.0 * period) - start)).cos();
+        assert!((end.position.x - expected).abs() < 1e-9, "{start}");
+    }
+}

@@ -203,7 +203,8 @@ where
 
     /// Ends steps at these times \[s\] as well, in any order: times at which a load changes or
     /// sets in, and which are not known otherwise. The conditions on `t` of a description
-    /// are known ([`RigidBody::switches`]). Times outside the motion are skipped. Each step uses the
+    /// are known ([`RigidBody::switches`]). Times outside the motion are skipped. At each, all are looked
+    /// through: the time for that grows with the square of their number. Each step uses the
     /// equations of its own side, so loads may also jump there.
     ///
     /// # Errors

@@ -271,8 +271,11 @@ pub(crate) fn first<P: Embedded, T: Scalar, E: Rates<State: Coordinates<Scalar =
     }
     let curvature = relative_size::<E::State>(&difference, coordinates).sqrt();
     let pace = T::select(curvature.less_or_equal(speed), speed, curvature);
-    // a motion that seems to be at rest does not get one single step
-    let longest = left / number(rest, 16.0);
+    // a motion that seems to be at rest does not get one single step, unless a part of it is lost in
+    // the rounding of time
+    let part = rest / number(rest, 16.0);
+    let is_lost = ((time + part) - time).equal(zero);
+    let longest = T::select(is_lost, left, part.abs());
     let step = number(rest, root(tolerance, 1.0, P::ESTIMATE)) / pace;
     let step = T::select(step.less(longest), step, longest);
     let step = T::select(zero.less(pace), step, longest);

@@ -16,6 +16,20 @@ pub struct BareUnit {
     pub extent: Extent,
 }
 
+/// What a word behind a number means, if it is no unit.
+pub fn meant_instead(number: &str, word: &str) -> Option<String> {
+    let meant = match word {
+        "and" => "`and` is written `&&`".to_owned(),
+        "or" => "`or` is written `||`".to_owned(),
+        "then" => "an `if` has braces: write `if .. { .. } else { .. }`".to_owned(),
+        _ if is_unit(word) || unit_and_exponent(word).is_some() => return None,
+        _ => {
+            format!("`{word}` is no unit; a product is written with `*`: write `{number} * {word}`")
+        }
+    };
+    Some(meant)
+}
+
 impl BareUnit {
     /// The longest unit that begins with `word` and continues in the tokens `after` it.
     pub fn read(word: &Ident, after: &[TokenTree]) -> Self {

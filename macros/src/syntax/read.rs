@@ -7,6 +7,7 @@ use syn::{BinOp, Expr, Lit, UnOp, parenthesized};
 
 use crate::errors::{Errors, Extent};
 
+use super::bare_unit::meant_instead;
 use super::expression::{Expression, Kind, Operator, Prefix, Step};
 use super::screen::{DEPTH, Screened, screen, too_deep};
 use super::unit::UnitExpression;
@@ -188,7 +189,8 @@ impl Reader<'_> {
         let message = if TYPES.contains(&suffix.as_str()) {
             format!("numbers have no type here, they are exact: write `{digits}`")
         } else {
-            format!("a unit stands in brackets: write `{digits}[{suffix}]`")
+            let of_unit = || format!("a unit stands in brackets: write `{digits}[{suffix}]`");
+            meant_instead(digits, &suffix).unwrap_or_else(of_unit)
         };
         self.errors.report(literal.span(), message)
     }

@@ -8,7 +8,7 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Spacing, Span, TokenStream, 
 
 use crate::errors::{Errors, Extent};
 
-use super::bare_unit::{BareUnit, lacks_brackets};
+use super::bare_unit::{BareUnit, lacks_brackets, meant_instead};
 use super::brackets::meant;
 use super::tokens::{
     argument_name, group_beyond, has_comma, is_parenthesised, is_punct, start, token_beyond,
@@ -222,8 +222,13 @@ impl Screen<'_> {
             Some(TokenTree::Literal(number)) => number.to_string(),
             _ => String::new(),
         };
-        if after.first().is_some_and(is_parenthesised) {
+        let message = if after.first().is_some_and(is_parenthesised) {
             let message = format!("a product is written with `*`: write `{number} * {word}(..)`");
+            Some(message)
+        } else {
+            meant_instead(&number, &word.to_string())
+        };
+        if let Some(message) = message {
             return self.refuse(word.span(), &message);
         }
         let unit = BareUnit::read(word, after);

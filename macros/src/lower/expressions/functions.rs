@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::{Extent, function_meant, hint};
+use crate::errors::{Extent, function_meant, hint, vector_method_meant};
 use crate::fraction::Fraction;
 use crate::model::{Dimension, Frame, is_solid};
 use crate::symbolic::{Function, Id, Number};
@@ -66,14 +66,19 @@ impl Lowering<'_> {
                 format!("`{word}(..)` is an inertia: it stands behind `inertia:`"),
             ),
             _ if is_function(&word) => {
-                let form = as_method(function, arguments);
+                let first = arguments.first().and_then(|first| self.value(first));
+                let of_vector = first.and_then(|first| match first {
+                    Value::Vector(..) | Value::Components(..) => vector_method_meant(&word),
+                    _ => None,
+                });
+                let form = as_method(of_vector.unwrap_or(&word), arguments);
                 self.report(
                     function.span(),
                     format!("functions are methods, as in Rust: write `{form}`"),
                 )
             }
             _ if VECTOR_METHODS.contains(&word.as_str()) => {
-                let form = as_method(function, arguments);
+                let form = as_method(&word, arguments);
                 self.report(function.span(), format!("write `{form}`"))
             }
             _ => match self.scope.look_up(&word) {

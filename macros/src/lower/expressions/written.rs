@@ -1,7 +1,5 @@
 //! What can be said of an expression before it is read.
 
-use proc_macro2::Ident;
-
 use crate::errors::Extent;
 use crate::families::Family;
 use crate::model::{FrameWord, MOTIONS, Motion, is_solid};
@@ -135,7 +133,7 @@ pub fn difference(expression: &Expression) -> Option<String> {
 }
 
 /// `x.sin()` for `sin(x)`.
-pub fn as_method(function: &Ident, arguments: &[Expression]) -> String {
+pub fn as_method(function: &str, arguments: &[Expression]) -> String {
     let texts = arguments.iter().map(short);
     let mut texts = texts.map(|text| text.unwrap_or_else(|| "..".to_owned()));
     let receiver = texts.next().map_or("x".to_owned(), |text| match &*text {

@@ -22,7 +22,7 @@ pub fn meant_instead(number: &str, word: &str) -> Option<String> {
         "and" => "`and` is written `&&`".to_owned(),
         "or" => "`or` is written `||`".to_owned(),
         "then" => "an `if` has braces: write `if .. { .. } else { .. }`".to_owned(),
-        _ if is_unit(word) || unit_and_exponent(word).is_some() => return None,
+        _ if names_unit(word) => return None,
         _ => {
             format!("`{word}` is no unit; a product is written with `*`: write `{number} * {word}`")
         }
@@ -85,8 +85,11 @@ pub fn lacks_brackets(before: Option<&TokenTree>, word: &Ident) -> bool {
 
 /// Whether a word is a unit, or a unit run together with its exponent.
 pub fn is_unit_word(word: &Ident) -> bool {
-    let word = word.to_string();
-    is_unit(&word) || unit_and_exponent(&word).is_some()
+    names_unit(&word.to_string())
+}
+
+fn names_unit(word: &str) -> bool {
+    is_unit(word) || unit_and_exponent(word).is_some()
 }
 
 /// A unit as it should be written in brackets: `s ^ 2` for `s2`.

@@ -1,7 +1,7 @@
 use newton_euler::rigid_system;
 
 rigid_system!(Cup {
-    mjcf: "no_independent_motion.xml",
+    mjcf: "../compile_fail/mjcf/no_independent_motion.xml",
 });
 
 fn main() {}

@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "all_in_a_circle.urdf",
+    urdf: "../compile_fail/urdf/all_in_a_circle.urdf",
 });
 
 fn main() {}

@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "another_format.urdf",
+    urdf: "../compile_fail/urdf/another_format.urdf",
 });
 
 fn main() {}

@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "circle.urdf",
+    urdf: "../compile_fail/urdf/circle.urdf",
 });
 
 fn main() {}

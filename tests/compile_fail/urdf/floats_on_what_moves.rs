@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "floats_on_what_moves.urdf",
+    urdf: "../compile_fail/urdf/floats_on_what_moves.urdf",
 });
 
 fn main() {}

@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "impossible_inertia.urdf",
+    urdf: "../compile_fail/urdf/impossible_inertia.urdf",
 });
 
 fn main() {}

@@ -1,7 +1,7 @@
 use newton_euler::rigid_system;
 
 rigid_system!(Pendulum {
-    urdf: "inverse_without_drives.urdf",
+    urdf: "../compile_fail/urdf/inverse_without_drives.urdf",
     outputs: [inverse],
 });
 

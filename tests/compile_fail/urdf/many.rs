@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "many.urdf",
+    urdf: "../compile_fail/urdf/many.urdf",
 });
 
 fn main() {}

@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "mimic.urdf",
+    urdf: "../compile_fail/urdf/mimic.urdf",
 });
 
 fn main() {}

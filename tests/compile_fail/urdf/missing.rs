@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "missing.urdf",
+    urdf: "../compile_fail/urdf/missing.urdf",
 });
 
 fn main() {}

@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "misspelt.urdf",
+    urdf: "../compile_fail/urdf/misspelt.urdf",
 });
 
 fn main() {}

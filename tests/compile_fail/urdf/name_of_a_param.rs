@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "name_of_a_param.urdf",
+    urdf: "../compile_fail/urdf/name_of_a_param.urdf",
     params: [arm],
 });
 

@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "negative_mass.urdf",
+    urdf: "../compile_fail/urdf/negative_mass.urdf",
 });
 
 fn main() {}

@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "no_links.urdf",
+    urdf: "../compile_fail/urdf/no_links.urdf",
 });
 
 fn main() {}

@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "no_xml.urdf",
+    urdf: "../compile_fail/urdf/no_xml.urdf",
 });
 
 fn main() {}

@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "one_name.urdf",
+    urdf: "../compile_fail/urdf/one_name.urdf",
 });
 
 fn main() {}

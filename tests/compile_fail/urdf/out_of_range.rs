@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "out_of_range.urdf",
+    urdf: "../compile_fail/urdf/out_of_range.urdf",
 });
 
 fn main() {}

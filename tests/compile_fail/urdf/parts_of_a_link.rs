@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "parts_of_a_link.urdf",
+    urdf: "../compile_fail/urdf/parts_of_a_link.urdf",
     bodies: [arm { inertia: compose([sphere(0.1[m]).mass(1[kg])]) }],
 });
 

@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "planar_motion.urdf",
+    urdf: "../compile_fail/urdf/planar_motion.urdf",
     motion: planar,
 });
 

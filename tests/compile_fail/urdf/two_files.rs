@@ -1,8 +1,8 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "two_files.urdf",
-    urdf: "two_files.urdf",
+    urdf: "../compile_fail/urdf/two_files.urdf",
+    urdf: "../compile_fail/urdf/two_files.urdf",
 });
 
 fn main() {}

@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "two_numbers.urdf",
+    urdf: "../compile_fail/urdf/two_numbers.urdf",
 });
 
 fn main() {}

@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "two_roots.urdf",
+    urdf: "../compile_fail/urdf/two_roots.urdf",
 });
 
 fn main() {}

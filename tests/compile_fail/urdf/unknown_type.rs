@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "unknown_type.urdf",
+    urdf: "../compile_fail/urdf/unknown_type.urdf",
 });
 
 fn main() {}

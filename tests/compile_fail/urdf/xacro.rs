@@ -1,7 +1,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Robot {
-    urdf: "xacro.urdf",
+    urdf: "../compile_fail/urdf/xacro.urdf",
 });
 
 fn main() {}

@@ -2,13 +2,10 @@
 
 use std::process::{Command, Output};
 
-/// Links a program, and asks it how many functions it has. What can panic is known only when all is
-/// optimized as a whole.
+/// Links a program, and asks it how many functions it has.
 fn link(program: &str) -> Output {
     Command::new(env!("CARGO"))
-        .args(["run", "--quiet", "--release"])
-        .args(["--config", "profile.release.lto='fat'"])
-        .args(["--config", "profile.release.codegen-units=1"])
+        .args(["run", "--quiet", "--profile", "proof"])
         .args(["-p", "newton-euler-no-panic", "--features", "proof"])
         .args(["--bin", program])
         .env_remove("RUSTFLAGS")

@@ -5,6 +5,7 @@ use crate::from_root::repository;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use syn::punctuated::Punctuated;
 use syn::visit::Visit;
@@ -109,7 +110,9 @@ impl<'ast> Visit<'ast> for Methods {
     }
 }
 
-/// All of the compiler.
+/// All of the compiler, read once.
+static HOUSE: LazyLock<House> = LazyLock::new(House::read);
+
 struct House(BTreeMap<Module, File>);
 
 impl House {
@@ -134,9 +137,10 @@ impl House {
                     module.pop();
                 }
                 let source = fs::read_to_string(&path).expect("a readable source");
-                let imports = imports(&source);
+                let parsed = syn::parse_file(&source).expect("a source in Rust");
+                let imports = imports(&source, &parsed);
                 let mut methods = Methods::default();
-                methods.visit_file(&syn::parse_file(&source).expect("a source in Rust"));
+                methods.visit_file(&parsed);
                 let file = File {
                     path,
                     source,
@@ -217,8 +221,7 @@ impl House {
 }
 
 /// The paths that a source imports, in `use` trees and behind `crate::` or `super::` elsewhere.
-fn imports(source: &str) -> Vec<Import> {
-    let file = syn::parse_file(source).expect("a source in Rust");
+fn imports(source: &str, file: &syn::File) -> Vec<Import> {
     let mut found = Vec::new();
     for item in &file.items {
         if let syn::Item::Use(item) = item {
@@ -304,7 +307,7 @@ fn circle<T: Ord + Clone>(arrows: &BTreeMap<T, BTreeSet<T>>) -> Option<Vec<T>> {
 
 #[test]
 fn each_room_imports_what_it_may() {
-    let house = House::read();
+    let house = &HOUSE;
     let allowed: BTreeMap<&str, &[&str]> = ROOMS.into_iter().collect();
     for (module, targets) in house.arrows() {
         let Some(room) = module.first().filter(|room| *room != "lib") else {
@@ -333,18 +336,18 @@ fn by_path(arrows: BTreeMap<&Module, BTreeSet<Module>>) -> BTreeMap<String, BTre
 
 #[test]
 fn no_file_imports_itself_by_way_of_others() {
-    assert_eq!(circle(&by_path(House::read().arrows())), None);
+    assert_eq!(circle(&by_path(HOUSE.arrows())), None);
 }
 
 #[test]
 fn no_file_calls_methods_of_itself_by_way_of_others() {
-    assert_eq!(circle(&by_path(House::read().calls())), None);
+    assert_eq!(circle(&by_path(HOUSE.calls())), None);
 }
 
 /// A folder is a wing of its room: all of its files together.
 #[test]
 fn no_wing_imports_itself_by_way_of_others() {
-    let house = House::read();
+    let house = &HOUSE;
     let wing = |module: &Module| {
         let is_face = house.0[module].path.ends_with("mod.rs");
         let depth = if is_face || module.len() == 1 {
@@ -366,7 +369,7 @@ fn no_wing_imports_itself_by_way_of_others() {
 
 #[test]
 fn wings_and_files_are_small() {
-    let house = House::read();
+    let house = &HOUSE;
     let mut sizes: BTreeMap<&Path, usize> = BTreeMap::new();
     for file in house.0.values() {
         let lines = file.source.lines().count();
@@ -384,8 +387,8 @@ fn wings_and_files_are_small() {
 
 #[test]
 fn only_the_door_names_proc_macro() {
-    for (module, file) in House::read().0 {
-        let is_door = module == ["lib"];
+    for (module, file) in &HOUSE.0 {
+        let is_door = module[..] == ["lib"];
         assert_eq!(
             file.source.contains("proc_macro::"),
             is_door,
@@ -399,7 +402,7 @@ fn only_the_door_names_proc_macro() {
 fn imports_are_found() {
     let source =
         "use crate::{emit, model::Model};\npub use graph::Id;\nfn f() -> crate::symbolic::Id {}";
-    let found: Vec<(String, bool)> = imports(source)
+    let found: Vec<(String, bool)> = imports(source, &syn::parse_file(source).unwrap())
         .into_iter()
         .map(|import| (import.path.join("::"), import.is_handed_on))
         .collect();

@@ -11,6 +11,7 @@ mod midpoint;
 mod moving_inputs;
 mod observations;
 mod orders;
+mod periods;
 #[path = "../reference/mod.rs"]
 mod reference;
 mod scenes;

@@ -52,6 +52,9 @@ impl Switches {
     pub fn every<T: Scalar, S: Scalar>(&mut self, time: T, period: S) {
         let (time, period) = (time.lane(self.lane), period.lane(self.lane));
         let passed = libm::floor((self.now - time) / period);
+        if passed.is_finite() {
+            self.stretch.period = self.stretch.period.min(period.abs());
+        }
         for count in [-1.0, 0.0, 1.0, 2.0] {
             let after = (passed + count) * period;
             self.put(time + after, time.abs() + after.abs());
@@ -90,6 +93,8 @@ pub struct Stretch {
     pub(crate) upper: f64,
     /// The time at which the input was given.
     pub(crate) given: f64,
+    /// The shortest period of conditions on time \[s\]; infinite if none has a period.
+    pub(crate) period: f64,
 }
 
 impl Stretch {
@@ -99,5 +104,6 @@ impl Stretch {
         lower: f64::NEG_INFINITY,
         upper: f64::INFINITY,
         given: 0.0,
+        period: f64::INFINITY,
     };
 }

@@ -27,8 +27,8 @@ impl Limits {
         }
     }
 
-    /// The time up to which the equations of a member do not change, at most the end. A stretch
-    /// that is over is replaced.
+    /// The time up to which the equations of a member do not change, at most the end; `None` if they
+    /// change at a period lost in rounding. A stretch that is over is replaced.
     #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn until<L: RigidBody>(
         &self,
@@ -36,17 +36,18 @@ impl Limits {
         stretch: &mut Stretch,
         (now, end, forwards): (f64, f64, bool),
         lane: usize,
-    ) -> f64 {
+    ) -> Option<f64> {
         let is_before = |time: f64| if forwards { now < time } else { now > time };
         if !is_before(stretch.next) {
             *stretch = Stretch::of(body, input, (now, forwards, lane), self.breaks.iter());
+            stretch.check(&(now..end)).ok()?;
         }
         let next = stretch.next;
-        if forwards {
+        Some(if forwards {
             next.min(end)
         } else {
             next.max(end)
-        }
+        })
     }
 }
 

@@ -13,7 +13,7 @@ use crate::ensemble::blocks::{BLOCK, Blocks, Eight, GroupMut};
 use crate::ensemble::evaluate::{in_chunks, read};
 use crate::ensemble::plan::{Limits, Plan};
 use crate::ensemble::{Ensemble, Members};
-use crate::integrate::{Equations, Fixed, IntegrationError, RungeKutta, add};
+use crate::integrate::{Equations, Fixed, IntegrationError, RungeKutta, Stretch, add};
 use crate::numbers::count::real;
 use crate::numbers::lanes::{Lanes, Register, Width, Work};
 use crate::state::Coordinates;
@@ -42,8 +42,13 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
         let (time, end) = (times.start, times.end);
         let before = ensemble.states.clone();
         let failed = |members: &Members<B>, index: usize| {
-            let error = IntegrationError::lost(time, before.get(index));
             let (body, input) = (members.body(index), members.inputs.get(index));
+            let from = (time, end >= time, 0);
+            let stretch = Stretch::of(&body, &input, from, limits.breaks.iter());
+            let error = match stretch.check(&(time..end)) {
+                Ok(()) => IntegrationError::lost(time, before.get(index)),
+                Err(invalid) => IntegrationError::refused(invalid, time, before.get(index)),
+            };
             let error = error.named(&body, &input, end >= time);
             MemberError { index, error }
         };

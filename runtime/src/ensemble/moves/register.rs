@@ -285,7 +285,10 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
         }
         let member = (&self.member, &self.input);
         let stretch = &mut self.lanes[index].stretch;
-        let limit = limits.until(member, stretch, (now, end, forwards), index);
+        let Some(limit) = limits.until(member, stretch, (now, end, forwards), index) else {
+            self.stop(index, Progress::Left);
+            return;
+        };
         self.stretch[0].put(index, stretch.lower);
         self.stretch[1].put(index, stretch.upper);
         self.limit.put(index, limits.pace().limit(now, limit));

@@ -92,15 +92,16 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
         };
         let is_under_way = way.taken < way.steps;
         let now = if is_under_way { way.time() } else { way.end };
-        if now == end {
+        if now == end || now.is_nan() {
             way.steps = 0;
             return;
         }
         let from = (now, end, forwards);
-        let limit = self
+        let until = self
             .limits
             .until((body, input), &mut way.stretch, from, lane);
-        let limit = self.limits.pace().limit(now, limit);
+        // a member whose conditions have no times is lost
+        let limit = until.map_or(f64::NAN, |until| self.limits.pace().limit(now, until));
         if is_under_way && way.end == limit {
             return;
         }

@@ -182,6 +182,9 @@ where
             };
             let (from, breaks) = ((time, self.forwards, 0), self.pace.breaks.clone());
             let stretch = Stretch::of(self.run.body(), &self.input, from, breaks);
+            let checked = stretch.check(&(time..self.end));
+            checked
+                .map_err(|invalid| IntegrationError::refused(invalid, time, self.run.state()))?;
             self.stretch = Stretch { given, ..stretch };
             self.run.enter(self.stretch);
         }

@@ -24,6 +24,8 @@ pub enum Setting {
     MaxStep,
     /// The period of a controller or of samples \[s\]: positive, and above the rounding of time.
     Period,
+    /// The period of a condition on time, as a load has it \[s\]: far above the rounding of time.
+    PeriodOfCondition,
     /// A time at which a step must end \[s\]: finite.
     Break,
 }
@@ -46,6 +48,7 @@ impl Setting {
                 "above the rounding of time"
             }
             Self::Step | Self::MaxStep | Self::Period => "positive",
+            Self::PeriodOfCondition => "far above the rounding of time",
         }
     }
 
@@ -56,6 +59,10 @@ impl Setting {
             Self::Tolerance => value > 0.0 && value < f64::INFINITY,
             Self::Step | Self::MaxStep | Self::Period => {
                 value > f64::EPSILON * times.start.abs().max(times.end.abs())
+            }
+            // switches nearer than a few roundings are one
+            Self::PeriodOfCondition => {
+                value > 64.0 * f64::EPSILON * times.start.abs().max(times.end.abs())
             }
         }
     }
@@ -71,6 +78,7 @@ impl fmt::Display for Setting {
             Self::Step => "the step",
             Self::MaxStep => "the longest step",
             Self::Period => "the period",
+            Self::PeriodOfCondition => "the period of a condition on time",
             Self::Break => "a break",
         })
     }

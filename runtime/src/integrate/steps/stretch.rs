@@ -1,7 +1,9 @@
 //! A body within a stretch of time in which its equations do not change.
 
 use core::borrow::Borrow;
+use core::ops::Range;
 
+use super::setting::{self, InvalidSetting, Setting};
 use crate::bodies::body::RigidBody;
 use crate::bodies::switches::{Stretch, Switches};
 use crate::numbers::scalar::Scalar;
@@ -19,6 +21,11 @@ impl Stretch {
         body.switches(input, &mut switches);
         breaks.for_each(|time| switches.put(*time.borrow(), 0.0));
         switches.stretch
+    }
+
+    /// Checks the periods of conditions in a motion between these times.
+    pub(crate) fn check(&self, times: &Range<f64>) -> Result<(), InvalidSetting> {
+        setting::check(times, [(Setting::PeriodOfCondition, self.period)])
     }
 }
 

@@ -33,13 +33,21 @@ fn of<B: Generic<State: Kept> + Integrate<Best: Together<B>>>(
         step: 0.06,
     };
     ensemble.integrate().method(method).to(0.5).expect("an end");
+    // each by the best method, with steps of its own
+    ensemble.integrate().to(0.25).expect("an end");
+    ensemble.states().iter().for_each(|state| bits.add(&state));
+}
+
+fn by_midpoints(bits: &mut Bits, width: Width) {
+    let body = Craft::<f64>::default();
+    let mut numbers = Numbers(12);
+    let mut ensemble = Ensemble::new(&body, (0..21).map(|_| numbers.state()));
+    ensemble.set_width(width);
     let method = Fixed {
         method: Midpoint,
         step: 0.01,
     };
     ensemble.integrate().method(method).to(0.1).expect("an end");
-    // each by the best method, with steps of its own
-    ensemble.integrate().to(0.25).expect("an end");
     ensemble.states().iter().for_each(|state| bits.add(&state));
 }
 
@@ -49,6 +57,7 @@ pub fn all() -> Vec<(Width, Bits)> {
     let each = there.map(|width| {
         let mut bits = Bits::new();
         of(&mut bits, &Craft::<f64>::default(), width);
+        by_midpoints(&mut bits, width);
         of(&mut bits, &Turning::<f64>::default(), width);
         of(&mut bits, &Top::<f64>::default(), width);
         of(&mut bits, &Wave::<f64>::default(), width);

@@ -41,7 +41,18 @@ fn moved<B: Integrate<State: Kept>, M: Method<B>>(bits: &mut Bits, body: &B, met
     }
 }
 
-/// All bodies by a method that is for all of them.
+/// Some bodies by a method that is for all of them.
+macro_rules! some_kinds {
+    ($method:expr) => {{
+        let mut bits = Bits::new();
+        moved(&mut bits, &Craft::<f64>::default(), $method);
+        moved(&mut bits, &Plank::<f64>::default(), $method);
+        moved(&mut bits, &Stick::<f64>::default(), $method);
+        bits
+    }};
+}
+
+/// All bodies by such a method.
 macro_rules! every_kind {
     ($method:expr) => {{
         let mut bits = Bits::new();
@@ -61,6 +72,11 @@ macro_rules! every_kind {
 }
 
 pub fn fixed<M: RungeKutta>(method: M) -> Bits {
+    some_kinds!(Fixed { method, step: 0.04 })
+}
+
+pub fn of_order_eight() -> Bits {
+    let method = DormandPrince8;
     every_kind!(Fixed { method, step: 0.04 })
 }
 
@@ -69,7 +85,7 @@ pub fn adaptive() -> Bits {
 }
 
 pub fn of_order_nine() -> Bits {
-    every_kind!(Verner { tolerance: 1e-9 })
+    some_kinds!(Verner { tolerance: 1e-9 })
 }
 
 pub fn projected() -> Bits {

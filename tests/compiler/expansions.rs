@@ -239,7 +239,7 @@ fn a_quadrotor_is_a_page() {
 fn a_double_pendulum_is_a_page() {
     let expansion = printed(expand_system(double_pendulum()));
     let acceleration = lines_of(&expansion, "fn acceleration");
-    assert!(acceleration <= 40, "{acceleration} lines");
+    assert!(acceleration <= 50, "{acceleration} lines");
 }
 
 /// Chains of 8, 16 and 32 arms in the plane.

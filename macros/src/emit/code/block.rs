@@ -7,7 +7,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use crate::model::Meaning;
+use crate::model::{Meaning, Workspace};
 use crate::symbolic::{Id, Node, Number};
 
 use super::naming::{Names, local};
@@ -139,9 +139,21 @@ impl Block<'_> {
         tokens
     }
 
-    /// What the group that a name belongs to means; given only for its first member.
-    pub fn note(&mut self, name: &Ident) -> Option<&'static str> {
-        let (group, note) = self.writer.work.labels.note(&name.to_string())?;
+    /// What the group that a statement belongs to means; given only for its first member.
+    pub fn note(&mut self, id: Id, name: &Ident) -> Option<&'static str> {
+        let Workspace { labels, graph, .. } = self.writer.work;
+        let inner = match graph.node(id) {
+            Node::Quantity(inner) => *inner,
+            _ => id,
+        };
+        let same = [Some(id), Some(inner)];
+        let opposite = [id, inner].map(|id| graph.negation_of(id));
+        let mut all = same.into_iter().chain(opposite).flatten();
+        let meaning = all.find_map(|id| labels.meaning(id));
+        let (group, note) = match meaning {
+            Some(meaning) => (meaning, meaning),
+            None => labels.note(&name.to_string())?,
+        };
         self.noted.insert(group).then_some(note)
     }
 }

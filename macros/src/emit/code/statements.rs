@@ -153,7 +153,7 @@ impl Block<'_> {
                 continue;
             }
             let name = self.statement_name(id);
-            let note = self.note(&name);
+            let note = self.note(id, &name);
             text.extend(note.iter().map(|note| format!("# {note}")));
             let (left, right) = self.statement(id, name, program);
             text.push(format!("{} = {}", to_text(&left), to_text(&right)));

@@ -34,6 +34,18 @@ pub struct Eliminated {
 impl Eliminated {
     /// Names the results.
     pub fn name(&self, labels: &mut Labels, of: &str) {
+        let meaning = "1 / J of each joint, J with all that it carries";
+        labels.explain([self.inverse], meaning);
+        labels.explain(
+            [self.driving],
+            "load on each joint, without what a body lacks",
+        );
+        labels.explain(
+            [self.drive],
+            "acceleration of each joint, were its carrier at rest",
+        );
+        let meaning = "what the acceleration of a carrier takes from that of the joint";
+        self.share.explain(labels, meaning);
         labels.name(self.inverse, format!("inverse_inertia_{of}"));
         labels.name(self.driving, format!("driving_{of}"));
         labels.name(self.drive, format!("own_{of}"));
@@ -66,8 +78,11 @@ impl Articulated {
         }
     }
 
-    /// Names all entries.
-    pub fn name(&self, labels: &mut Labels, of: &str) {
+    /// Names all entries, and describes them.
+    pub fn name(&self, labels: &mut Labels, of: &str, meaning: &'static str) {
+        for part in [&self.angular, &self.mixed, &self.linear] {
+            labels.explain(part.concat(), meaning);
+        }
         labels.matrix(&format!("inertia_{of}"), &self.angular);
         labels.matrix(&format!("coupling_{of}"), &self.mixed);
         labels.matrix(&format!("mass_{of}"), &self.linear);

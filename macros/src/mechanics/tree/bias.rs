@@ -174,8 +174,16 @@ pub fn derive_bias(
     for link in &tree.links {
         let carrier = link.carrier.map_or(ground, |carrier| all[carrier].0);
         let moving = carrier.carried(graph, link);
+        labels.explain(
+            moving.w,
+            "w of each body, in its axes: of its carrier, and of its joint",
+        );
         labels.vector_or_one("w", &link.name, moving.w);
+        let meaning = "w' and a of each body while no joint accelerates, relative to free fall";
+        moving.acceleration.explain(labels, meaning);
         moving.acceleration.name(labels, ["alpha", "a"], &link.name);
+        let meaning = "S r = w' x r + w x (w x r): what an arm r adds to a";
+        labels.explain(moving.sweep.concat(), meaning);
         labels.matrix(&format!("sweep_{}", link.name), &moving.sweep);
         let taken = moving.taken_by(graph, &link.properties);
         let lacking = taken.minus(graph, link.load());

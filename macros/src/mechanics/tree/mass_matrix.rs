@@ -35,7 +35,15 @@ impl MassMatrix {
         for (index, link) in links.iter().enumerate().rev() {
             let own = composite[index].quantities(graph);
             let load = lacking[index].quantities(graph);
-            own.name(labels, &link.name);
+            own.name(
+                labels,
+                &link.name,
+                "inertia of a body with all that it carries",
+            );
+            load.explain(
+                labels,
+                "moment and force that a body lacks, with all that it carries",
+            );
             load.name(labels, ["moment", "force"], &link.name);
             for (number, freedom) in link.open().enumerate() {
                 let row = first[index] + number;
@@ -81,6 +89,10 @@ impl MassMatrix {
     fn name(&self, labels: &mut Labels) {
         for (row, first) in self.rows.iter().zip(&self.names) {
             for (entry, second) in row.iter().zip(&self.names) {
+                labels.explain(
+                    [*entry],
+                    "mass matrix: load on a joint by the acceleration of another",
+                );
                 labels.name(*entry, format!("inertia_{second}_{first}"));
             }
         }
@@ -107,6 +119,10 @@ impl MassMatrix {
             let one = graph.one();
             let inverse = graph.divide(one, rows[k][k]);
             let inverse = graph.quantity(inverse);
+            labels.explain(
+                [inverse],
+                "1 / J of each joint, without the share of later ones",
+            );
             labels.name(inverse, format!("inverse_inertia_{}", self.names[k]));
             let share: Vec<Id> = (0..k)
                 .map(|j| {
@@ -115,6 +131,10 @@ impl MassMatrix {
                 })
                 .collect();
             driving[k] = graph.quantity(driving[k]);
+            labels.explain(
+                [driving[k]],
+                "load on each joint, without the share of later ones",
+            );
             labels.name(driving[k], format!("driving_{}", self.names[k]));
             for i in 0..k {
                 for j in 0..=i {

@@ -76,6 +76,9 @@ impl Accelerations {
     }
 }
 
+const ARTICULATED: &str =
+    "inertia of a body with all that it carries, while the joints move freely";
+
 /// From the tips to the ground: inertias and loads, with each joint freed; and back.
 fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Accelerations {
     let bias = derive_bias(graph, labels, tree);
@@ -89,14 +92,19 @@ fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Acceleratio
     for (index, link) in tree.links.iter().enumerate().rev() {
         let (mut own, mut load) = (inertia[index].quantities(graph), lacking[index]);
         load = load.quantities(graph);
-        own.name(labels, &link.name);
+        own.name(labels, &link.name, ARTICULATED);
+        load.explain(
+            labels,
+            "moment and force that a body lacks, with all that it carries",
+        );
         load.name(labels, ["moment", "force"], &link.name);
         let gone = link.open().map(|freedom| {
             let gone = own.eliminate(graph, freedom, &mut load);
             gone.name(labels, &freedom.name);
             own = own.quantities(graph);
             load = load.quantities(graph);
-            own.name(labels, &format!("{}_yielding", link.name));
+            let meaning = "the same inertia while the joint gives way";
+            own.name(labels, &format!("{}_yielding", link.name), meaning);
             gone
         });
         eliminated.push(gone.collect());

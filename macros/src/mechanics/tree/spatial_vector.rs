@@ -63,6 +63,11 @@ impl SpatialVector {
         labels.vector(&format!("{linear}_{of}"), self.linear);
     }
 
+    /// Describes both vectors.
+    pub fn explain(&self, labels: &mut Labels, meaning: &'static str) {
+        labels.explain(self.angular.into_iter().chain(self.linear), meaning);
+    }
+
     pub fn plus(self, graph: &mut Graph, other: Self) -> Self {
         Self {
             angular: graph.add_vectors(self.angular, other.angular),

@@ -12,6 +12,7 @@ pub const AXES: [&str; 3] = ["x", "y", "z"];
 pub struct Labels {
     names: HashMap<Id, String>,
     notes: HashMap<&'static str, &'static str>,
+    meanings: HashMap<Id, &'static str>,
     /// The unknowns that guarded reciprocals give.
     unknowns: HashMap<Id, String>,
     /// Whether nothing gets a name, as in trials.
@@ -78,11 +79,23 @@ impl Labels {
         self.notes.entry(name).or_insert(note);
     }
 
-    /// Gives the names of expressions to their images, which replace them.
+    /// Describes expressions that have names of their own, such as those of each body.
+    pub fn explain(&mut self, ids: impl IntoIterator<Item = Id>, meaning: &'static str) {
+        if !self.is_silent {
+            for id in ids {
+                self.meanings.entry(id).or_insert(meaning);
+            }
+        }
+    }
+
+    /// Gives the names and meanings of expressions to their images, which replace them.
     pub fn follow(&mut self, images: &[(Id, Id)]) {
         for (id, image) in images {
             if let Some(name) = self.names.get(id).cloned() {
                 self.name(*image, name);
+            }
+            if let Some(meaning) = self.meanings.get(id).copied() {
+                self.explain([*image], meaning);
             }
         }
     }
@@ -95,6 +108,9 @@ impl Labels {
         for (name, note) in part.notes {
             self.describe(name, note);
         }
+        for (id, meaning) in part.meanings {
+            self.explain([id], meaning);
+        }
     }
 
     /// The name without the suffix of an axis, and its description.
@@ -106,6 +122,10 @@ impl Labels {
         self.notes
             .get_key_value(group)
             .map(|(group, note)| (*group, *note))
+    }
+
+    pub fn meaning(&self, id: Id) -> Option<&'static str> {
+        self.meanings.get(&id).copied()
     }
 
     /// Records the unknown that a division solves for.

@@ -194,10 +194,16 @@ impl<'w> Balances<'w> {
         let labels = &mut self.work.labels;
         for ((one, along), momentum) in own.iter().zip(&along).zip(&momentum) {
             let name = &self.all[*one].name;
+            labels.explain([*along], "rate of a joint by that of the independent joint");
+            labels.explain(
+                [*momentum],
+                "load on a joint by the acceleration of the independent joint",
+            );
             labels.name(*along, format!("share_{name}"));
             labels.name(*momentum, format!("momentum_{name}"));
         }
         let name = &self.all[coordinate].name;
+        labels.explain([inertia], "inertia on the way of the independent joint");
         labels.name(inertia, format!("inertia_{name}"));
         labels.name(inverse, format!("inverse_inertia_{name}"));
         Some(Block {

@@ -38,7 +38,7 @@ impl Eliminated {
         labels.explain([self.inverse], meaning);
         labels.explain(
             [self.driving],
-            "load on each joint, without what a body lacks",
+            "load along each joint, minus what its body lacks",
         );
         labels.explain(
             [self.drive],

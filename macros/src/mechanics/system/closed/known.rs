@@ -45,7 +45,9 @@ impl<'a> Known<'a> {
     ) -> Self {
         let in_world = moved_in_world(work, &built.tree);
         let free = free_links(system, work, built);
-        let placed = place_links(&mut work.graph, &built.tree, |link| free[link]);
+        let placed = place_links((&mut work.graph, &mut work.labels), &built.tree, |link| {
+            free[link]
+        });
         let closings = system.closings.iter();
         let ends: Vec<Ends<'_>> = closings
             .map(|closing| ends(system, work, built, closing))

@@ -3,6 +3,7 @@
 
 use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree::turning::Turning;
+use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
 /// The place and the motion of a link, in world axes. Its acceleration is that with zero joint
@@ -152,7 +153,7 @@ impl Placed {
 
 /// The motion of all links; `free` has the places and velocities of free links, by link.
 pub fn place_links(
-    graph: &mut Graph,
+    (graph, labels): (&mut Graph, &mut Labels),
     tree: &Tree,
     free: impl Fn(usize) -> Option<[Components; 2]>,
 ) -> Vec<Placed> {
@@ -161,6 +162,13 @@ pub fn place_links(
     for (index, link) in tree.links.iter().enumerate() {
         let carrier = link.carrier.map_or(&ground, |carrier| &all[carrier]);
         let next = carrier.carried(graph, link, free(index));
+        if let (Turning::About { cosine, sine, .. }, Some((_, angle))) = (next.turning, next.angle)
+        {
+            labels.explain([angle], "angle of each body from the ground");
+            for (id, name) in [(angle, "angle"), (cosine, "cosine"), (sine, "sine")] {
+                labels.name(id, format!("{name}_{}", link.name));
+            }
+        }
         all.push(next);
     }
     all

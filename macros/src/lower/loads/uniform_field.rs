@@ -40,18 +40,19 @@ impl Lowering<'_> {
         // if the motion of G is not modelled, positions are relative to G; if a point of the body
         // is held, they are relative to that point
         let position = self.state.position;
-        let [body, world] =
-            [self.state.body, Frame::WORLD].map(|frame| self.work.part(position, frame));
+        let body = self.work.part(position, self.state.body);
+        let own = self.work.vector(self.state.body, body);
+        let back = self.work.negate(own);
+        let elsewhere = self.work.add(position, back);
         let graph = &mut self.work.graph;
         let from_held = charges
             .iter()
             .map(|(charge, offset)| (*charge, graph.add_vectors(body, *offset)));
         let from_held: Vec<(Id, Components)> = from_held.collect();
         let turned = moment(graph, &from_held);
-        let moved = graph.scale_vector(net, world);
         self.work.labels.name(net, format!("{name}_charge"));
         self.work.labels.vector(&format!("{name}_dipole"), turned);
-        let moved = self.work.vector(Frame::WORLD, moved);
+        let moved = self.work.scale(net, elsewhere);
         let turned = self.work.fixed_in(self.state.body, turned);
         let whole = self.work.add(moved, turned);
         let work = self.work.dot(field, whole);

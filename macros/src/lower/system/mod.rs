@@ -66,7 +66,9 @@ pub fn lower_system(
     for (body, load) in between.loads.into_iter().chain(on_free) {
         bodies[body].loads.push(load);
     }
-    let gravity = common_gravity(&mut work, &mut bodies, system.top.loads.len());
+    let fields = system.top.loads.iter();
+    let fields = fields.filter(|field| field.charges.is_none()).count();
+    let gravity = common_gravity(&mut work, &mut bodies, fields);
     let bodies = carriers_first(bodies, &mut joints, &mut closings, &mut points)?;
     let written = tell_frames(outline, &joints);
     outline.kept = constraints.list.iter().map(load_of).collect();

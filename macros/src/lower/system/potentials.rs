@@ -1,7 +1,10 @@
-//! Potentials of a system and of its bodies.
+//! Potentials of a system and of its bodies, and uniform fields on the charges of bodies.
 
-use crate::errors::Errors;
+use proc_macro2::Ident;
+
+use crate::errors::{Errors, every};
 use crate::model::{Potential, Potentials, TreeJoint};
+use crate::syntax::{Description, Load};
 
 use super::reading::body::Draft;
 use super::reading::reader::Reader;
@@ -14,13 +17,18 @@ impl Reader<'_> {
         joints: &[TreeJoint],
         errors: &mut Errors,
     ) -> Option<Potentials> {
-        let of_bodies = drafts
-            .iter()
-            .flat_map(|draft| &draft.description.potentials);
-        let written = self.system.top.potentials.iter().chain(of_bodies);
-        let list: Vec<Potential> = written
-            .map(|potential| Potential {
-                name: potential.name.clone(),
+        let top = &self.system.top;
+        let of_bodies = drafts.iter().flat_map(|draft| {
+            let body = draft.description;
+            let fields = on_charges(top, body).map(|load| &load.name);
+            fields.chain(body.potentials.iter().map(|potential| &potential.name))
+        });
+        let of_system = top.potentials.iter().map(|potential| &potential.name);
+        let names: Vec<Ident> = of_system.chain(of_bodies).cloned().collect();
+        let list: Vec<Potential> = names
+            .into_iter()
+            .map(|name| Potential {
+                name,
                 place: 0,
                 charges: None,
             })
@@ -30,11 +38,25 @@ impl Reader<'_> {
         if !list.is_empty() && is_known {
             let form = self.apart(drafts, joints, |reader, drafts, rates| {
                 reader.each_apart(drafts, errors, |lowering, description| {
-                    lowering.energies(description, rates)
+                    let scalars = lowering.energies(description, rates);
+                    if lowering.is_whole {
+                        return scalars;
+                    }
+                    let fields = on_charges(top, description);
+                    let fields = every(fields.map(|load| lowering.uniform_field(load)));
+                    let energies = fields?.into_iter().map(|(energy, _)| energy);
+                    Some(energies.chain(scalars?).collect())
                 })
             });
             forms.push(form?);
         }
         Some(Potentials { list, forms })
     }
+}
+
+/// The uniform fields on the charges of a body.
+fn on_charges<'a>(top: &'a Description, body: &'a Description) -> impl Iterator<Item = &'a Load> {
+    let of_system = top.loads.iter().filter(|_| !body.is_frame);
+    let all = of_system.chain(&body.loads);
+    all.filter(|load| load.charges.is_some())
 }

@@ -119,10 +119,6 @@ impl MassMatrix {
             let one = graph.one();
             let inverse = graph.divide(one, rows[k][k]);
             let inverse = graph.quantity(inverse);
-            labels.explain(
-                [inverse],
-                "1 / J of each joint, without the share of later ones",
-            );
             labels.name(inverse, format!("inverse_inertia_{}", self.names[k]));
             let share: Vec<Id> = (0..k)
                 .map(|j| {
@@ -131,10 +127,13 @@ impl MassMatrix {
                 })
                 .collect();
             driving[k] = graph.quantity(driving[k]);
-            labels.explain(
-                [driving[k]],
-                "load on each joint, without the share of later ones",
-            );
+            // a motion that is known already has no inertia
+            if !graph.is_one(rows[k][k]) {
+                let meaning = "1 / J of each joint, without the share of later ones";
+                labels.explain([inverse], meaning);
+                let meaning = "load along each joint, without the share of later ones";
+                labels.explain([driving[k]], meaning);
+            }
             labels.name(driving[k], format!("driving_{}", self.names[k]));
             for i in 0..k {
                 for j in 0..=i {

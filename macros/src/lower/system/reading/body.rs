@@ -254,12 +254,9 @@ impl<'a> Reader<'a> {
             let fields = fields.iter().filter(|_| !body.is_frame);
             let written = fields.chain(&body.loads);
             let kept = known.then(|| lowering.kept(body, inputs, first)).flatten();
-            let written = written.filter(|_| known);
+            // fields on charges are potentials
+            let written = written.filter(|load| known && load.charges.is_none());
             let loads = every(written.map(|load| {
-                if load.charges.is_some() {
-                    let message = "systems do not support fields on charges yet";
-                    return lowering.report(load.name.span(), message);
-                }
                 if let Some(unknown) = first_unknown(load) {
                     let message = "nothing of a load on a body is unknown: what joints do is found by \
                          `outputs: [reactions]`, so write a value";

@@ -29,7 +29,7 @@ use crate::families::LoadKind;
 pub use entries::{Composition, Constant, Function, Part, key_meant, parse_description};
 pub use expression::{Called, Expression, Kind, Operator, Prefix, Step, call};
 pub use motion::{ROD, SUPPORTS};
-pub use system::{CABLE, Center, File, LINK, System, file_beside, parse_system};
+pub use system::{CABLE, Center, File, LINK, System, file_beside, parse_lone_body, parse_system};
 pub use unit::UnitExpression;
 pub use words::BUILT_IN;
 

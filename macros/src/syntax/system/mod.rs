@@ -5,15 +5,19 @@ mod drawing;
 mod file;
 mod frames;
 mod lost;
+mod misplaced;
+mod motion;
 mod outputs;
 
 pub use drawing::Center;
 
-use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, foreign_list_meant, similar};
 
 pub use file::{File, file_beside};
+use misplaced::OF_BODIES;
+pub use misplaced::parse_lone_body;
 
 use super::entries::{
     bracketed_entry, check_length, key_meant, key_value, parse_key, parse_name, parse_value,
@@ -22,7 +26,7 @@ use super::entries::{
 use super::expression::{Expression, call};
 use super::head::parse_head;
 use super::tokens::{Entry, is_punct, split, start, without_attributes};
-use super::{Definition, Description, Motion};
+use super::{Definition, Description};
 
 /// A whole description of a system.
 pub struct System {
@@ -53,6 +57,11 @@ pub struct System {
     /// Whether an entry that may have defined bodies, or joints, could not be read.
     pub has_lost_bodies: bool,
     pub has_lost_joints: bool,
+    /// What is wrong where it stands, which is reported: keys of bodies beside these, keys of the
+    /// system in them, a motion that no system has.
+    misplaced: Description,
+    /// The key that makes this a single body, described as a system.
+    lone: Option<Ident>,
 }
 
 /// A cable is written among the joints but is not one: it only pulls.
@@ -69,15 +78,6 @@ const LISTS: [(&str, &str); 6] = [
     ("drives", "motor = torque.on(elbow)"),
     ("forces", "spring = tension.between(upper.tip, lower.tip)"),
     ("moments", "load = moment(2[N * m]).on(upper)"),
-];
-/// Keys that only bodies have.
-const OF_BODIES: [&str; 6] = [
-    "mass",
-    "inertia",
-    "points",
-    "joint_forces",
-    "joint_moments",
-    "pole",
 ];
 /// Keys that only systems have.
 const OF_SYSTEMS: [&str; 17] = [
@@ -106,8 +106,11 @@ const LATER: [&str; 2] = ["reactions", "independent"];
 pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> {
     check_length(&tokens, errors)?;
     let (top, body) = parse_head(tokens, errors)?;
+    let misplaced = Description::new(top.name.clone(), top.runtime.clone());
     let mut system = System {
         top,
+        misplaced,
+        lone: None,
         bodies: Vec::new(),
         joints: Vec::new(),
         cables: Vec::new(),
@@ -127,27 +130,15 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
     for entry in split(body, Entry::Key, errors) {
         system.parse_key(without_attributes(&entry, errors), errors);
     }
+    system.place_misplaced();
     system.read_file(errors);
+    system.lone = system.key_of_lone_body();
     system.check_bodies(errors);
     system.is_planar = system.check_motion(errors);
     system.take_centers(errors);
     system.take_frames();
     system.lose_names();
-    let word = if system.is_planar {
-        "planar"
-    } else {
-        "spatial"
-    };
-    for body in &mut system.bodies {
-        body.motion = Some(Motion {
-            word: Ident::new(word, body.name.span()),
-            support: None,
-        });
-    }
-    system.top.motion = Some(Motion {
-        word: Ident::new(word, system.top.name.span()),
-        support: None,
-    });
+    system.move_in(system.is_planar);
     Some(system)
 }
 
@@ -158,14 +149,11 @@ impl System {
             return;
         };
         let word = key.to_string();
-        if let Some(found) = outside(key, rest) {
-            return self.parse_outside(key, &found, errors);
+        if self.parse_outside(key, rest, errors) {
+            return;
         }
         if OF_BODIES.contains(&word.as_str()) {
-            errors.push(
-                key.span(),
-                format!("`{word}` belongs to a body: write it in the braces of one, in `bodies`"),
-            );
+            self.parse_key_of_bodies(key, entry, errors);
         } else if word == "reactions" {
             let message = "the loads that joints hold are an output: write `outputs: [reactions]`, or \
                            `outputs: [reactions(elbow)]` for those of one";
@@ -213,28 +201,6 @@ impl System {
         }
     }
 
-    /// Reports and reads what stands in braces outside of the lists.
-    fn parse_outside(&mut self, name: &Ident, found: &Outside<'_>, errors: &mut Errors) {
-        match found {
-            Outside::Body(group) => {
-                let message =
-                    format!("a body stands in `bodies`: write `bodies: [.., {name} {{ .. }}]`");
-                errors.push(name.span(), message);
-                let entry = [name.clone().into(), TokenTree::Group((*group).clone())];
-                self.parse_body(&entry, errors);
-            }
-            Outside::Keys(group) => {
-                let message = format!(
-                    "the keys stand in the braces of the system: leave `{name}` and these braces out"
-                );
-                errors.push(group.span_open(), message);
-                for entry in split(group.stream(), Entry::Key, errors) {
-                    self.parse_key(without_attributes(&entry, errors), errors);
-                }
-            }
-        }
-    }
-
     fn parse_list(
         &mut self,
         list: &str,
@@ -265,22 +231,30 @@ impl System {
                 self.parse_body(entry, errors);
                 continue;
             }
-            let Some((name, rest)) = parse_name(&mut self.top, list, entry, errors) else {
-                self.has_lost_joints |= list == "joints";
+            if list == "joints" && self.parse_body_among_joints(entry, errors) {
                 continue;
-            };
-            let value = parse_value(&name, rest, errors);
-            let definition = Definition { name, value };
-            match list {
-                "joints" if is_called(&definition, CABLE) => self.cables.push(definition),
-                // a link carries nothing: it is a constraint
-                "joints" if is_called(&definition, LINK) => self.top.constraints.push(definition),
-                "joints" => self.joints.push(definition),
-                "drives" => self.drives.push(definition),
-                "locked" => self.locked.push(definition),
-                "forces" => self.forces.push(definition),
-                _ => self.moments.push(definition),
             }
+            self.parse_definition(list, entry, errors);
+        }
+    }
+
+    /// `name = value` in a list other than `bodies`.
+    fn parse_definition(&mut self, list: &str, entry: &[TokenTree], errors: &mut Errors) {
+        let Some((name, rest)) = parse_name(&mut self.top, list, entry, errors) else {
+            self.has_lost_joints |= list == "joints";
+            return;
+        };
+        let value = parse_value(&name, rest, errors);
+        let definition = Definition { name, value };
+        match list {
+            "joints" if is_called(&definition, CABLE) => self.cables.push(definition),
+            // a link carries nothing: it is a constraint
+            "joints" if is_called(&definition, LINK) => self.top.constraints.push(definition),
+            "joints" => self.joints.push(definition),
+            "drives" => self.drives.push(definition),
+            "locked" => self.locked.push(definition),
+            "forces" => self.forces.push(definition),
+            _ => self.moments.push(definition),
         }
     }
 }
@@ -319,38 +293,4 @@ fn list_meant(word: &str) -> Option<&'static (&'static str, &'static str)> {
         let meant = meant()?;
         LISTS.iter().find(|(list, _)| *list == meant)
     })
-}
-
-/// What stands in braces behind a word that is no key.
-enum Outside<'t> {
-    Body(&'t Group),
-    Keys(&'t Group),
-}
-
-/// The braces behind a word that is no key, with or without a colon, if they are those of a body or
-/// of keys.
-fn outside<'t>(key: &Ident, rest: &'t [TokenTree]) -> Option<Outside<'t>> {
-    let (group, is_body) = match rest {
-        [TokenTree::Group(group)] => (group, true),
-        [colon, TokenTree::Group(group)] if is_punct(colon, ':') => (group, false),
-        _ => return None,
-    };
-    let is_of_body = |word: &str| OF_BODIES.contains(&word);
-    let is_key =
-        |word: &str| is_of_body(word) || list_meant(word).is_some() || key_meant(word).is_some();
-    if is_key(&key.to_string()) || group.delimiter() != Delimiter::Brace {
-        return None;
-    }
-    let word = |token| match token {
-        TokenTree::Ident(word) => word.to_string(),
-        _ => String::new(),
-    };
-    let tokens: Vec<String> = group.stream().into_iter().map(word).collect();
-    if tokens.iter().any(|word| is_of_body(word)) {
-        return Some(Outside::Body(group));
-    }
-    match tokens.first() {
-        Some(first) if is_key(first) => Some(Outside::Keys(group)),
-        _ => is_body.then_some(Outside::Body(group)),
-    }
 }

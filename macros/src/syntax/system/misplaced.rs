@@ -1,0 +1,251 @@
+//! What stands in a wrong place: bodies and keys outside of their braces, and the reverse. It is
+//! reported, and read as what it is, so that what refers to it causes no further errors.
+
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+
+use crate::errors::Errors;
+use crate::syntax::entries::{holds_keys, key_meant, parse_description, parse_key};
+use crate::syntax::tokens::{Entry, is_punct, split, without_attributes};
+use crate::syntax::{Declaration, Definition, Description, Motion, Written};
+
+use super::{System, list_meant};
+
+/// Keys that only bodies have.
+pub const OF_BODIES: [&str; 6] = [
+    "mass",
+    "inertia",
+    "points",
+    "joint_forces",
+    "joint_moments",
+    "pole",
+];
+/// Keys without which nothing is a body.
+const OF_ONE_BODY: [&str; 2] = ["mass", "inertia"];
+
+impl System {
+    /// Reports and reads what stands in braces outside of the lists, if this is such a thing.
+    pub(super) fn parse_outside(
+        &mut self,
+        name: &Ident,
+        rest: &[TokenTree],
+        errors: &mut Errors,
+    ) -> bool {
+        let Some(found) = outside(name, rest) else {
+            return false;
+        };
+        match found {
+            Outside::Body(group) => {
+                let message =
+                    format!("a body stands in `bodies`: write `bodies: [.., {name} {{ .. }}]`");
+                errors.push(name.span(), message);
+                let entry = [name.clone().into(), TokenTree::Group(group.clone())];
+                self.parse_body(&entry, errors);
+            }
+            Outside::Keys(group) => {
+                let message = format!(
+                    "the keys stand in the braces of the system: leave `{name}` and these braces out"
+                );
+                errors.push(group.span_open(), message);
+                for entry in split(group.stream(), Entry::Key, errors) {
+                    self.parse_key(without_attributes(&entry, errors), errors);
+                }
+            }
+        }
+        true
+    }
+
+    /// Reports and keeps a key of a body that stands beside the bodies.
+    pub(super) fn parse_key_of_bodies(
+        &mut self,
+        key: &Ident,
+        entry: &[TokenTree],
+        errors: &mut Errors,
+    ) {
+        let message =
+            format!("`{key}` belongs to a body: write it in the braces of one, in `bodies`");
+        errors.push(key.span(), message);
+        self.keep_misplaced(key, entry, errors);
+    }
+
+    /// Reports and keeps a key of the system that stands in the braces of a body.
+    pub(super) fn parse_key_in_a_body(
+        &mut self,
+        key: &Ident,
+        entry: &[TokenTree],
+        errors: &mut Errors,
+    ) {
+        let message =
+            format!("`{key}` belongs to the system: write it outside of the braces of its bodies");
+        errors.push(key.span(), message);
+        if key == "joints" {
+            self.has_lost_joints = true;
+        } else if key == "bodies" {
+            self.has_lost_bodies = true;
+        } else if key_meant(&key.to_string()).is_some() && key != "doc" {
+            self.keep_misplaced(key, entry, errors);
+        }
+    }
+
+    fn keep_misplaced(&mut self, key: &Ident, entry: &[TokenTree], errors: &mut Errors) {
+        self.misplaced.keys.retain(|other| other != key);
+        parse_key(&mut self.misplaced, entry, errors);
+    }
+
+    /// Reports and reads a body in the list of joints, if the entry is one.
+    pub(super) fn parse_body_among_joints(
+        &mut self,
+        entry: &[TokenTree],
+        errors: &mut Errors,
+    ) -> bool {
+        let [TokenTree::Ident(name), TokenTree::Group(group)] = entry else {
+            return false;
+        };
+        if group.delimiter() != Delimiter::Brace || !holds_keys(group) {
+            return false;
+        }
+        let message = format!("`{name}` is a body: move `{name} {{ .. }}` to `bodies`");
+        errors.push(name.span(), message);
+        self.parse_body(entry, errors);
+        true
+    }
+
+    /// Reports and reads a joint in the list of bodies, if the entry is `name = kind(..)`.
+    pub(super) fn parse_joint_among_bodies(
+        &mut self,
+        entry: &[TokenTree],
+        errors: &mut Errors,
+    ) -> bool {
+        let [
+            TokenTree::Ident(name),
+            sign,
+            TokenTree::Ident(kind),
+            TokenTree::Group(group),
+            ..,
+        ] = entry
+        else {
+            return false;
+        };
+        let is_call = group.delimiter() == Delimiter::Parenthesis && !holds_keys(group);
+        if !is_punct(sign, '=') || !is_call {
+            return false;
+        }
+        let message = format!("a joint stands in `joints`: move `{name} = {kind}(..)` there");
+        errors.push(name.span(), message);
+        self.parse_definition("joints", entry, errors);
+        true
+    }
+
+    /// Puts what stands in a wrong place where it belongs. A body without mass, inertia or a point
+    /// that stands beside it has these, without values.
+    pub(super) fn place_misplaced(&mut self) {
+        let misplaced = &mut self.misplaced;
+        for body in &mut self.bodies {
+            let is_composed = body.composition.is_some();
+            let lost = |written: &Option<Written>| {
+                let is_lost = written.is_some() && !is_composed;
+                is_lost.then_some(Written { value: None })
+            };
+            body.mass = body.mass.take().or_else(|| lost(&misplaced.mass));
+            body.inertia = body.inertia.take().or_else(|| lost(&misplaced.inertia));
+            for point in &misplaced.points {
+                if !body.points.iter().any(|own| own.name == point.name) {
+                    body.points.push(Definition {
+                        name: point.name.clone(),
+                        value: None,
+                    });
+                }
+            }
+        }
+        let points = misplaced.points.iter().map(|point| point.name.to_string());
+        self.top.lost.extend(points.chain(misplaced.lost.drain(..)));
+        add(&mut self.top.params, &mut misplaced.params);
+        add(&mut self.top.inputs, &mut misplaced.inputs);
+        add(&mut self.top.states, &mut misplaced.states);
+        let known = |name: &Ident| self.top.rates.iter().any(|rate| rate.name == *name);
+        misplaced.rates.retain(|rate| !known(&rate.name));
+        self.top.rates.append(&mut misplaced.rates);
+        self.top.constants.append(&mut misplaced.constants);
+        self.top.functions.append(&mut misplaced.functions);
+    }
+}
+
+impl System {
+    /// The key that makes this a single body, described as a system: it belongs to a body, and there
+    /// are no bodies and no joints.
+    pub(super) fn key_of_lone_body(&self) -> Option<Ident> {
+        let is_system = !self.bodies.is_empty()
+            || !self.joints.is_empty()
+            || self.has_lost_bodies
+            || self.has_lost_joints
+            || self.file.is_some();
+        let mut keys = self.misplaced.keys.iter();
+        let key = keys.find(|key| OF_ONE_BODY.iter().any(|word| *key == word));
+        key.filter(|_| !is_system).cloned()
+    }
+}
+
+/// Reads a single body that is described as a system, which is reported instead of all errors.
+pub fn parse_lone_body(
+    system: &System,
+    tokens: TokenStream,
+    errors: &mut Errors,
+) -> Option<Description> {
+    let key = system.lone.as_ref()?;
+    errors.take_back(0);
+    let message = format!(
+        "`{key}` belongs to a body: for a single body write `rigid_body!`; the bodies of a system stand in \
+         `bodies: [arm {{ .. }}]`"
+    );
+    errors.push(key.span(), message);
+    let mut body = parse_description(tokens, errors)?;
+    // a system in space has no motion
+    let place = body.name.span();
+    body.motion.get_or_insert_with(|| Motion {
+        word: Ident::new("spatial", place),
+        support: None,
+    });
+    Some(body)
+}
+
+/// Moves declarations whose names are new.
+fn add(to: &mut Vec<Declaration>, from: &mut Vec<Declaration>) {
+    for declaration in from.drain(..) {
+        if !to.iter().any(|known| known.name == declaration.name) {
+            to.push(declaration);
+        }
+    }
+}
+
+/// What stands in braces behind a word that is no key.
+enum Outside<'t> {
+    Body(&'t Group),
+    Keys(&'t Group),
+}
+
+/// The braces behind a word that is no key, with or without a colon, if they are those of a body or
+/// of keys.
+fn outside<'t>(key: &Ident, rest: &'t [TokenTree]) -> Option<Outside<'t>> {
+    let (group, is_body) = match rest {
+        [TokenTree::Group(group)] => (group, true),
+        [colon, TokenTree::Group(group)] if is_punct(colon, ':') => (group, false),
+        _ => return None,
+    };
+    let is_of_body = |word: &str| OF_BODIES.contains(&word);
+    let is_key =
+        |word: &str| is_of_body(word) || list_meant(word).is_some() || key_meant(word).is_some();
+    if is_key(&key.to_string()) || group.delimiter() != Delimiter::Brace {
+        return None;
+    }
+    let word = |token| match token {
+        TokenTree::Ident(word) => word.to_string(),
+        _ => String::new(),
+    };
+    let tokens: Vec<String> = group.stream().into_iter().map(word).collect();
+    if tokens.iter().any(|word| is_of_body(word)) {
+        return Some(Outside::Body(group));
+    }
+    match tokens.first() {
+        Some(first) if is_key(first) => Some(Outside::Keys(group)),
+        _ => is_body.then_some(Outside::Body(group)),
+    }
+}

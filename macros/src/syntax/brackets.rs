@@ -3,11 +3,13 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenStream, TokenTree};
 
-use crate::errors::Errors;
+use crate::errors::{Errors, silently};
+use crate::units::is_unit;
 
 use super::bare_unit::is_unit_word;
 use super::motion::{ROD, SUPPORTS};
 use super::tokens::{after_sign, has_comma, is_punct};
+use super::unit::UnitExpression;
 use super::words::is_keyword;
 
 /// Words that are followed by braces and named entries.
@@ -56,6 +58,34 @@ pub fn meant(group: &Group, before: Option<&TokenTree>, errors: &mut Errors) -> 
     let mut meant = Group::new(delimiter, inner);
     meant.set_span(group.span());
     meant
+}
+
+/// Reports parentheses behind a number, or behind other ones if they hold a unit:
+/// `9.81(m / s ^ 2)`. They can be left out.
+pub fn behind_number(group: &Group, before: Option<&TokenTree>, errors: &mut Errors) -> bool {
+    let is_parentheses = |group: &Group| group.delimiter() == Delimiter::Parenthesis;
+    let number = match before {
+        _ if !is_parentheses(group) => return false,
+        Some(TokenTree::Literal(number)) => number.to_string(),
+        Some(TokenTree::Group(before)) if is_parentheses(before) => "(..)".to_owned(),
+        _ => return false,
+    };
+    let message = match written_unit(group) {
+        Some(unit) => format!("a unit stands in square brackets: write `{number}[{unit}]`"),
+        None if matches!(before, Some(TokenTree::Group(_))) => return false,
+        None => format!("a product is written with `*`: write `{number} * (..)`"),
+    };
+    errors.push(group.span_open(), message);
+    true
+}
+
+/// The unit in a group, as it should be written.
+pub fn written_unit(group: &Group) -> Option<String> {
+    let unit = silently(|errors| UnitExpression::parse(group, errors))?;
+    let mut words = unit.factors.iter().map(|(word, _)| word.to_string());
+    words
+        .all(|word| is_unit(&word))
+        .then(|| group.stream().to_string())
 }
 
 fn is_called(word: &Ident) -> bool {

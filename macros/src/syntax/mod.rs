@@ -11,6 +11,7 @@ mod expression;
 mod head;
 mod mjcf;
 mod motion;
+mod nesting;
 mod read;
 mod screen;
 mod system;

@@ -256,11 +256,7 @@ impl Reader<'_> {
             BinOp::Ne(_) => Operator::NotEqual,
             BinOp::And(_) => Operator::And,
             BinOp::Or(_) => Operator::Or,
-            BinOp::BitXor(_) => {
-                let message = "`^` is a power only inside unit brackets: write `x.powi(2)`; of a vector \
-                               `v.norm_squared()`, and along it `v.norm() * v`";
-                return self.refuse(operator, message);
-            }
+            BinOp::BitXor(_) => Operator::Power,
             BinOp::Rem(_) => {
                 let message = "there is no remainder here: write `x - (x / y).floor() * y`";
                 return self.refuse(operator, message);

@@ -9,7 +9,8 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Spacing, Span, TokenStream, 
 use crate::errors::{Errors, Extent};
 
 use super::bare_unit::{BareUnit, lacks_brackets, meant_instead};
-use super::brackets::meant;
+use super::brackets::{behind_number, meant, written_unit};
+use super::nesting::Nested;
 use super::tokens::{
     argument_name, group_beyond, has_comma, is_parenthesised, is_punct, start, token_beyond,
 };
@@ -93,6 +94,7 @@ impl Screen<'_> {
                 break;
             }
             let read = match token {
+                TokenTree::Group(group) if behind_number(group, before, self.errors) => Some(1),
                 TokenTree::Group(group) => {
                     let group = &meant(group, before, self.errors);
                     shown.push(self.group(group, before, depth + nested.depth(), function));
@@ -177,6 +179,12 @@ impl Screen<'_> {
                 let inner = self.stream(group.stream(), depth + 1, function);
                 Group::new(Delimiter::Bracket, inner)
             }
+            Delimiter::Bracket if is_value_in_brackets(group, before, function) => {
+                let message = "no list can stand here: leave these brackets out";
+                self.errors.push(group.span_open(), message);
+                let inner = self.stream(group.stream(), depth + 1, None);
+                Group::new(Delimiter::Parenthesis, inner)
+            }
             Delimiter::Bracket | Delimiter::Brace if is_list(group, before) => {
                 let (place, message) = match function {
                     Some(word) if word == "compose" => (
@@ -258,6 +266,11 @@ impl Screen<'_> {
             };
             return self.refuse(place, message);
         }
+        let is_value =
+            |token: &TokenTree| matches!(token, TokenTree::Ident(_) | TokenTree::Literal(_));
+        if text == "not" && after.first().is_some_and(is_value) {
+            return self.refuse(word.span(), "`not` is written `!`: write `!(..)`");
+        }
         if matches!(text.as_str(), "if" | "else" | "true" | "false") || !is_keyword(&text) {
             return Some(word.clone());
         }
@@ -330,63 +343,23 @@ impl Screen<'_> {
     }
 }
 
-/// Nesting that needs no brackets.
-#[derive(Default)]
-struct Nested {
-    /// Consecutive signs.
-    signs: usize,
-    /// Consecutive methods, fields and units.
-    methods: usize,
-    /// `if`s whose conditions are not finished.
-    conditions: usize,
-    /// Consecutive `else`s.
-    branches: usize,
-}
-
-impl Nested {
-    fn depth(&self) -> usize {
-        self.signs + self.methods + self.conditions + self.branches
-    }
-
-    fn pass(&mut self, before: Option<&TokenTree>, token: &TokenTree, next: Option<&TokenTree>) {
-        match token {
-            TokenTree::Punct(sign) if sign.as_char() == '.' => {
-                self.signs = 0;
-                self.methods += 1;
-            }
-            TokenTree::Punct(_) => {
-                self.signs += 1;
-                self.methods = 0;
-            }
-            TokenTree::Group(group) if group.delimiter() != Delimiter::Brace => {
-                self.signs = 0;
-                let is_call = group.delimiter() == Delimiter::Parenthesis;
-                let follows_group = matches!(before, Some(TokenTree::Group(_)));
-                self.methods += usize::from(!is_call || follows_group);
-            }
-            TokenTree::Group(_) => {
-                let goes_on = matches!(next, Some(TokenTree::Ident(word)) if word == "else");
-                self.signs = 0;
-                self.methods = 0;
-                self.conditions = self.conditions.saturating_sub(1);
-                if !goes_on && self.conditions == 0 {
-                    self.branches = 0;
-                }
-            }
-            TokenTree::Ident(word) => {
-                self.signs = 0;
-                self.conditions += usize::from(word == "if");
-                self.branches += usize::from(word == "else");
-            }
-            TokenTree::Literal(_) => self.signs = 0,
-        }
-    }
-}
-
 /// Whether brackets hold a list in place of an operand.
 fn is_list(group: &Group, before: Option<&TokenTree>) -> bool {
     let is_alone = !before.is_some_and(ends_operand);
     group.delimiter() == Delimiter::Bracket || is_alone && has_comma(group)
+}
+
+/// Whether brackets in place of an operand hold one value, and no unit.
+fn is_value_in_brackets(
+    group: &Group,
+    before: Option<&TokenTree>,
+    function: Option<&Ident>,
+) -> bool {
+    is_list(group, before)
+        && function.is_none_or(|word| word != "compose")
+        && !has_comma(group)
+        && !group.stream().is_empty()
+        && written_unit(group).is_none()
 }
 
 /// Whether square brackets after this token would hold a unit.

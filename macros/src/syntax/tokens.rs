@@ -71,6 +71,8 @@ fn begins(entry: Entry, name: &Ident, before: &[TokenTree], after: Option<&Token
                     || !(lacks_brackets(before.last(), name)
                         || before.len() == 1 && is_unit_word(name))
             }
+            // one word in front of a name belongs to it
+            Entry::Defined if before.len() == 1 && matches!(before, [TokenTree::Ident(_)]) => false,
             Entry::Declared | Entry::Defined => followed_by('='),
         }
 }

@@ -97,6 +97,7 @@ impl Lowering<'_> {
                 format!("{what} is a scalar, and this has {count} components"),
             );
         }
+        self.check_one_number(expression, what)?;
         let value = match &expression.kind {
             Kind::Name(name) if !self.members.has(&name.to_string()) => self.name(name, dimension),
             _ => self.value(expression),
@@ -128,6 +129,14 @@ impl Lowering<'_> {
             }
             Value::Vector(_, found) | Value::Components(_, _, found) => {
                 self.mismatch(expression, dimension, found, what)
+            }
+            Value::Scalar(_, found)
+                if found == Dimension::MOMENT && dimension == Dimension::FORCE =>
+            {
+                self.report(
+                    expression.extent,
+                    format!("{what} is a vector, and this is a moment: moments stand in `moments`"),
+                )
             }
             Value::Scalar(..) => {
                 let text = short(expression);

@@ -335,6 +335,14 @@ fn parse_single(into: &mut Description, key: &str, value: &[TokenTree], errors: 
                 return;
             }
             into.inertia = match value.first() {
+                Some(TokenTree::Group(group))
+                    if group.delimiter() == Delimiter::Brace && begins_with_call(group) =>
+                {
+                    errors.push(group.span_open(), "leave these braces out");
+                    Some(Written {
+                        value: Expression::parse(group.stream(), errors),
+                    })
+                }
                 Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => {
                     errors.push(
                         group.span_open(),
@@ -349,6 +357,13 @@ fn parse_single(into: &mut Description, key: &str, value: &[TokenTree], errors: 
         "pole" if into.pole.is_none() => into.pole = written(errors),
         _ => {}
     }
+}
+
+/// Whether a group begins with `word(..)` or `word { .. }`.
+fn begins_with_call(group: &Group) -> bool {
+    let mut tokens = group.stream().into_iter();
+    let (first, second) = (tokens.next(), tokens.next());
+    first.as_ref().is_some_and(is_name) && matches!(second, Some(TokenTree::Group(_)))
 }
 
 /// The names that the entries of a list would define.

@@ -158,12 +158,18 @@ impl System {
         }
         let points = misplaced.points.iter().map(|point| point.name.to_string());
         self.top.lost.extend(points.chain(misplaced.lost.drain(..)));
-        add(&mut self.top.params, &mut misplaced.params);
-        add(&mut self.top.inputs, &mut misplaced.inputs);
-        add(&mut self.top.states, &mut misplaced.states);
+        add(&mut self.top.params, misplaced.params.drain(..));
+        add(&mut self.top.inputs, misplaced.inputs.drain(..));
         let known = |name: &Ident| self.top.rates.iter().any(|rate| rate.name == *name);
         misplaced.rates.retain(|rate| !known(&rate.name));
         self.top.rates.append(&mut misplaced.rates);
+        let has_rate = |name: &Ident| self.top.rates.iter().any(|rate| rate.name == *name);
+        let states = misplaced.states.drain(..);
+        let (known, lost): (Vec<_>, Vec<_>) = states.partition(|state| has_rate(&state.name));
+        self.top
+            .lost
+            .extend(lost.iter().map(|state| state.name.to_string()));
+        add(&mut self.top.states, known);
         self.top.constants.append(&mut misplaced.constants);
         self.top.functions.append(&mut misplaced.functions);
     }
@@ -208,8 +214,8 @@ pub fn parse_lone_body(
 }
 
 /// Moves declarations whose names are new.
-fn add(to: &mut Vec<Declaration>, from: &mut Vec<Declaration>) {
-    for declaration in from.drain(..) {
+fn add(to: &mut Vec<Declaration>, from: impl IntoIterator<Item = Declaration>) {
+    for declaration in from {
         if !to.iter().any(|known| known.name == declaration.name) {
             to.push(declaration);
         }

@@ -119,6 +119,7 @@ const SOLIDS: &Elsewhere = &[
 
 const NAMES: &Elsewhere = &[
     ("time", "t"),
+    ("m", "mass"),
     ("angle", "attitude"),
     ("theta", "attitude"),
     ("theta_dot", "angular_velocity"),

@@ -11,8 +11,9 @@ use crate::lower::expressions::{
 };
 use crate::lower::loads::check_states;
 use crate::model::{
-    Checks, Declared, Defaults, Drawn, ENTRIES, Inertia, Labels, MOTIONS, Mass, Model, Motion,
-    Outline, PLANAR, PLANAR_TRANSLATION, Reaction, SPATIAL, TRANSLATION, Workspace, state_symbols,
+    Checks, Declared, Defaults, Drawn, ENTRIES, FIXED_POINT, Inertia, Labels, MOTIONS, Mass, Model,
+    Motion, Outline, PIVOT, PLANAR, PLANAR_TRANSLATION, Reaction, SPATIAL, TRANSLATION, Workspace,
+    state_symbols,
 };
 use crate::syntax::{self, Description};
 
@@ -37,7 +38,7 @@ pub fn read_body(
         read_outline(description, outline, errors)
     };
     let count = errors.count() - before;
-    if count < 2 || count_errors(read_other) + 1 >= count {
+    if count < 2 || !description.shows(other.is_planar) || count_errors(read_other) >= count {
         return read;
     }
     errors.take_back(before);
@@ -47,8 +48,10 @@ pub fn read_body(
         "space"
     };
     let message = format!(
-        "the rest of `{}` is described in {place}: write `motion: {}`",
-        description.name, other.word
+        "the rest of `{}` is described in {place}: write `motion: {}{}`",
+        description.name,
+        other.word,
+        if other.is_supported() { "(..)" } else { "" }
     );
     errors.push(word.span(), message);
     read_other(errors)
@@ -64,12 +67,18 @@ fn read_outline(description: &Description, mut outline: Outline, errors: &mut Er
 fn other_motion(description: &Description) -> Option<(&Ident, Motion)> {
     let written = &description.motion.as_ref()?.word;
     let motion = written_motion(description)?;
-    let mut pairs = [(&SPATIAL, &PLANAR), (&TRANSLATION, &PLANAR_TRANSLATION)].into_iter();
-    pairs.find_map(|(in_space, in_plane)| match motion {
-        _ if motion == in_space => Some((written, in_plane)),
-        _ if motion == in_plane => Some((written, in_space)),
-        _ => None,
-    })
+    let pairs = [
+        (&SPATIAL, &PLANAR),
+        (&TRANSLATION, &PLANAR_TRANSLATION),
+        (&FIXED_POINT, &PIVOT),
+    ];
+    pairs
+        .into_iter()
+        .find_map(|(in_space, in_plane)| match motion {
+            _ if motion == in_space => Some((written, in_plane)),
+            _ if motion == in_plane => Some((written, in_space)),
+            _ => None,
+        })
 }
 
 /// The number of errors that are found, without reporting them.

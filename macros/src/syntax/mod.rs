@@ -14,6 +14,7 @@ mod motion;
 mod nesting;
 mod read;
 mod screen;
+mod sizes;
 mod system;
 mod tokens;
 mod unit;

@@ -1,6 +1,33 @@
-//! The depth of nesting in an expression, counted token by token.
+//! The limits of an expression, and the depth of its nesting, counted token by token.
 
-use proc_macro2::{Delimiter, TokenTree};
+use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
+
+use super::tokens::{group_beyond, start, token_beyond};
+
+/// The most tokens of one expression. An error at this limit is better than a stack overflow.
+const TOKENS: usize = 2000;
+/// The most brackets inside each other.
+const NESTING: usize = 48;
+/// The most brackets, prefixes, methods and branches inside each other.
+pub const DEPTH: usize = 128;
+
+/// The token at which a limit is crossed, found without recursion.
+pub fn crossed_limit(tokens: &TokenStream) -> Option<(Span, String)> {
+    if let Some(group) = group_beyond(tokens, NESTING) {
+        let message = format!(
+            "brackets nested more than {NESTING} deep: name parts of this expression as `locals`"
+        );
+        return Some((group.span_open(), message));
+    }
+    let token = token_beyond(tokens, TOKENS)?;
+    let message =
+        format!("here this expression has more than {TOKENS} tokens: name parts of it as `locals`");
+    Some((start(&token), message))
+}
+
+pub fn too_deep() -> String {
+    format!("nested more than {DEPTH} deep: name parts of this expression as `locals`")
+}
 
 /// Nesting that needs no brackets.
 #[derive(Default)]

@@ -9,7 +9,8 @@ use crate::errors::{Errors, Extent};
 
 use super::bare_unit::meant_instead;
 use super::expression::{Expression, Kind, Operator, Prefix, Step};
-use super::screen::{DEPTH, Screened, screen, too_deep};
+use super::nesting::{DEPTH, too_deep};
+use super::screen::{Screened, screen};
 use super::unit::UnitExpression;
 
 impl Expression {

@@ -21,12 +21,12 @@ pub fn read_system(
     let before = errors.count();
     let found = read(system, offers, errors);
     let count = errors.count() - before;
-    if count < 2 || system.file.is_some() {
+    if count < 2 || system.file.is_some() || !system.shows(!system.is_planar) {
         return found;
     }
     let reported = usize::from(!system.has_wrong_motion());
     system.move_in(!system.is_planar);
-    if count_errors(|errors| read(system, offers, errors)) + reported >= count {
+    if count_errors(|errors| read(system, offers, errors)) + reported > count {
         system.move_in(!system.is_planar);
         return found;
     }

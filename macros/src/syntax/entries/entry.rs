@@ -61,6 +61,13 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
             into.potentials.push(Definition { name, value });
         }
         "outputs" => {
+            if let [sign, TokenTree::Ident(switch)] = rest
+                && (switch == "true" || switch == "false")
+            {
+                let message = format!("an output is one word: write `{name}`");
+                errors.push(start(sign), message);
+                return;
+            }
             let is_value = |token: &&TokenTree| is_punct(token, '=') || is_punct(token, '.');
             if let Some(sign) = rest.first().filter(is_value) {
                 errors.push(
@@ -132,6 +139,15 @@ pub fn parse_name<'t>(
                 format!("every entry has a name: write `name = {word} {sign}{doubled} ..`");
             let message = message.replace(" . ..", "...");
             errors.report(word.span(), message)
+        }
+        [TokenTree::Ident(word), TokenTree::Ident(name), ..]
+            if word == "moving" && key == "inputs" =>
+        {
+            let message = "`.moving` stands at the end, as in `u[N].moving`: move it there";
+            errors.push(word.span(), message);
+            let derivatives = ["rate", "acceleration"].map(|order| format!("{name}_{order}"));
+            into.lost.extend(derivatives);
+            parse_name(into, key, &entry[1..], errors)
         }
         [
             TokenTree::Ident(first),

@@ -1,6 +1,6 @@
 //! The keys of a body, and suggestions for unknown ones.
 
-use proc_macro2::{Group, Ident, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenTree};
 
 use crate::errors::{Errors, foreign_key_meant, similar};
 use crate::syntax::Description;
@@ -97,4 +97,23 @@ pub fn name_of(token: &TokenTree) -> Option<String> {
         TokenTree::Ident(name) => Some(name.to_string()),
         _ => None,
     }
+}
+
+/// An entry of a list, as it would be written in brackets. In braces, which are reported, it may be
+/// `name: value`.
+pub fn bracketed_entry(list: &Group, mut entry: Vec<TokenTree>) -> Vec<TokenTree> {
+    let is_switch = |word: &TokenTree| matches!(word, TokenTree::Ident(word) if word == "true" || word == "false");
+    if let (Delimiter::Brace, [TokenTree::Ident(_), _, switch]) = (list.delimiter(), &entry[..])
+        && is_switch(switch)
+    {
+        entry.truncate(1);
+    }
+    if let (Delimiter::Brace, [TokenTree::Ident(_), sign, ..]) = (list.delimiter(), &mut entry[..])
+        && is_punct(sign, ':')
+    {
+        let mut equals = Punct::new('=', Spacing::Alone);
+        equals.set_span(sign.span());
+        *sign = TokenTree::Punct(equals);
+    }
+    entry
 }

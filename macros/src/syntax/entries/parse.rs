@@ -1,6 +1,6 @@
 //! From tokens to a [`Description`]: its head and its keys.
 
-use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, Extent};
 
@@ -8,8 +8,8 @@ use super::checks::parse_check;
 use super::composition::Composition;
 use super::entry::{parse_entry, parse_name};
 use super::keys::{
-    LISTS, VALUES, further_braces, is_of_systems, key_meant, name_of, report_of_system,
-    report_unknown,
+    LISTS, VALUES, bracketed_entry, further_braces, is_of_systems, key_meant, name_of,
+    report_of_system, report_unknown,
 };
 use crate::syntax::expression::Expression;
 use crate::syntax::head::parse_head;
@@ -184,7 +184,11 @@ pub fn key_value<'t>(key: &Ident, rest: &'t [TokenTree], errors: &mut Errors) ->
                 format!("a key is followed by a colon: write `{example}`"),
             );
             match value {
-                [second, value @ ..] if is_punct(second, sign.as_char()) => value,
+                [second, value @ ..]
+                    if is_punct(second, sign.as_char()) || is_punct(second, '>') =>
+                {
+                    value
+                }
                 _ => value,
             }
         }
@@ -266,19 +270,6 @@ fn is_further(list: &str, after: &[TokenTree]) -> bool {
 
 fn is_name(token: &TokenTree) -> bool {
     name_of(token).is_some_and(|word| !is_keyword(&word))
-}
-
-/// An entry of a list, as it would be written in brackets. In braces, which are reported, it may be
-/// `name: value`.
-pub fn bracketed_entry(list: &Group, mut entry: Vec<TokenTree>) -> Vec<TokenTree> {
-    if let (Delimiter::Brace, [TokenTree::Ident(_), sign, ..]) = (list.delimiter(), &mut entry[..])
-        && is_punct(sign, ':')
-    {
-        let mut equals = Punct::new('=', Spacing::Alone);
-        equals.set_span(sign.span());
-        *sign = TokenTree::Punct(equals);
-    }
-    entry
 }
 
 /// Takes the documentation in front of a declaration, and returns the rest.

@@ -1,6 +1,6 @@
 //! The bodies of a system, each in its braces.
 
-use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Span, TokenTree};
 use quote::format_ident;
 
 use crate::errors::{Errors, Extent, similar};
@@ -8,7 +8,7 @@ use crate::syntax::entries::{
     holds_keys, key_meant, key_value, parse_keys, parse_name, parse_value,
 };
 use crate::syntax::expression::{Expression, Kind};
-use crate::syntax::tokens::{Entry, is_punct, split, start, stream, without_attributes};
+use crate::syntax::tokens::{Entry, comma, is_punct, split, start, stream, without_attributes};
 use crate::syntax::words::check_name;
 use crate::syntax::{Definition, Description};
 
@@ -88,7 +88,7 @@ impl System {
         let mut keys = Vec::new();
         for entry in split(group.stream(), Entry::Key, errors) {
             let [TokenTree::Ident(key), rest @ ..] = entry.as_slice() else {
-                keys.extend(entry.into_iter().chain([comma()]));
+                keys.extend(entry.into_iter().chain([comma(Span::call_site())]));
                 continue;
             };
             let word = key.to_string();
@@ -123,7 +123,7 @@ impl System {
                 let message = format!("`{key}` is not there yet in the bodies of a system");
                 errors.push(key.span(), message);
             } else {
-                keys.extend(entry.into_iter().chain([comma()]));
+                keys.extend(entry.into_iter().chain([comma(Span::call_site())]));
             }
         }
         parse_keys(body, keys.into_iter().collect(), errors);
@@ -225,9 +225,7 @@ fn name_and_braces(entry: &[TokenTree], errors: &mut Errors) -> Option<(Ident, G
             return errors.report(name.span(), message);
         }
         _ => {
-            let place = entry
-                .first()
-                .map_or_else(proc_macro2::Span::call_site, start);
+            let place = entry.first().map_or_else(Span::call_site, start);
             return errors.report(
                 place,
                 "expected the name of a body: `arm { mass: 1[kg], .. }`",
@@ -235,10 +233,6 @@ fn name_and_braces(entry: &[TokenTree], errors: &mut Errors) -> Option<(Ident, G
         }
     };
     Some((name.clone(), group.clone()))
-}
-
-fn comma() -> TokenTree {
-    TokenTree::Punct(Punct::new(',', Spacing::Alone))
 }
 
 /// `copies: [x = direction, ..]`

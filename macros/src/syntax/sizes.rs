@@ -2,13 +2,13 @@
 
 use crate::families::LoadKind;
 
+use super::Description;
 use super::expression::{Expression, Kind};
-use super::{Description, System};
 
 impl Description {
     /// All values of its points, locals, forces, potentials and constraints. Moments in the plane
     /// are numbers, and may be written as vectors by mistake.
-    fn values(&self) -> impl Iterator<Item = &Expression> {
+    pub fn values(&self) -> impl Iterator<Item = &Expression> {
         let forces = self
             .loads
             .iter()
@@ -25,19 +25,8 @@ impl Description {
     }
 }
 
-impl System {
-    /// Whether most of its vectors have components in the plane, or in space.
-    pub fn shows(&self, is_planar: bool) -> bool {
-        let bodies = self.bodies.iter().flat_map(Description::values);
-        let beside = self.joints.iter().chain(&self.forces);
-        let beside = beside.filter_map(|definition| definition.value.as_ref());
-        let bodies = bodies.chain(self.top.values());
-        most_are(bodies.chain(beside), is_planar)
-    }
-}
-
 /// Whether most vectors in these expressions have components in the plane, or in space.
-fn most_are<'e>(written: impl Iterator<Item = &'e Expression>, is_planar: bool) -> bool {
+pub fn most_are<'e>(written: impl Iterator<Item = &'e Expression>, is_planar: bool) -> bool {
     let (mut in_plane, mut in_space) = (0, 0);
     for expression in written {
         expression.visit(|part| {

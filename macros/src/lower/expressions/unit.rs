@@ -95,6 +95,15 @@ impl Lowering<'_> {
         self.report(place, message)
     }
 
+    pub fn check_unitless(&mut self, found: Dimension, place: Extent) -> Option<()> {
+        if found.is_known() {
+            let found = found.described();
+            let message = format!("the value is {found} already: leave this unit out");
+            return self.report(place, message);
+        }
+        Some(())
+    }
+
     /// Whether a name is a unit and nothing else.
     fn is_only_unit(&self, name: &Ident) -> bool {
         let word = name.to_string();

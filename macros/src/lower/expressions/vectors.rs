@@ -12,7 +12,6 @@ use super::functions::{VECTOR_METHODS, is_function};
 use super::lowering::{Lowering, OfPoint, dimension};
 use super::scope::Value;
 use super::unit::TOO_LARGE;
-use super::written::across_the_plane;
 use super::written::short;
 
 impl Lowering<'_> {
@@ -125,16 +124,6 @@ impl Lowering<'_> {
             ),
             _ => Some(self.state.body),
         }
-    }
-
-    /// Reports a vector of three components in the plane, in place of a number.
-    pub fn check_one_number(&mut self, expression: &Expression, what: &str) -> Option<()> {
-        let vector = across_the_plane(expression).filter(|_| self.motion.is_planar);
-        let Some(vector) = vector else {
-            return Some(());
-        };
-        let message = format!("{what} is one number in the plane: write the last component alone");
-        self.report(vector.extent, message)
     }
 
     /// A cross product; in the plane, only its component along z.

@@ -165,6 +165,9 @@ pub fn axis_meant(expression: &Expression, axes: usize) -> Option<String> {
     Some(parts.collect::<Vec<_>>().join(", "))
 }
 
+/// The end of a message about such a vector in place of a number.
+pub const ONE_NUMBER: &str = "is one number in the plane: write the last component alone";
+
 /// The vector of three components that an expression is, or that is a factor of it: `body(0, 0, m)`.
 pub fn across_the_plane(expression: &Expression) -> Option<&Expression> {
     match &expression.kind {

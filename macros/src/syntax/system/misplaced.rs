@@ -1,59 +1,18 @@
-//! What stands in a wrong place: bodies and keys outside of their braces, and the reverse. It is
-//! reported, and read as what it is, so that what refers to it causes no further errors.
+//! Keys in a wrong place: those of bodies beside them, and the reverse. They are reported, and read as
+//! what they are, so that what refers to them causes no further errors.
 
-use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 
 use crate::errors::Errors;
-use crate::syntax::entries::{holds_keys, key_meant, parse_description, parse_key};
-use crate::syntax::tokens::{Entry, is_punct, split, without_attributes};
+use crate::syntax::entries::{key_meant, parse_description, parse_key};
 use crate::syntax::{Declaration, Definition, Description, Motion, Written};
 
-use super::{System, list_meant};
+use super::System;
 
-/// Keys that only bodies have.
-pub const OF_BODIES: [&str; 6] = [
-    "mass",
-    "inertia",
-    "points",
-    "joint_forces",
-    "joint_moments",
-    "pole",
-];
 /// Keys without which nothing is a body.
 const OF_ONE_BODY: [&str; 2] = ["mass", "inertia"];
 
 impl System {
-    /// Reports and reads what stands in braces outside of the lists, if this is such a thing.
-    pub(super) fn parse_outside(
-        &mut self,
-        name: &Ident,
-        rest: &[TokenTree],
-        errors: &mut Errors,
-    ) -> bool {
-        let Some(found) = outside(name, rest) else {
-            return false;
-        };
-        match found {
-            Outside::Body(group) => {
-                let message =
-                    format!("a body stands in `bodies`: write `bodies: [.., {name} {{ .. }}]`");
-                errors.push(name.span(), message);
-                let entry = [name.clone().into(), TokenTree::Group(group.clone())];
-                self.parse_body(&entry, errors);
-            }
-            Outside::Keys(group) => {
-                let message = format!(
-                    "the keys stand in the braces of the system: leave `{name}` and these braces out"
-                );
-                errors.push(group.span_open(), message);
-                for entry in split(group.stream(), Entry::Key, errors) {
-                    self.parse_key(without_attributes(&entry, errors), errors);
-                }
-            }
-        }
-        true
-    }
-
     /// Reports and keeps a key of a body that stands beside the bodies.
     pub(super) fn parse_key_of_bodies(
         &mut self,
@@ -89,50 +48,6 @@ impl System {
     fn keep_misplaced(&mut self, key: &Ident, entry: &[TokenTree], errors: &mut Errors) {
         self.misplaced.keys.retain(|other| other != key);
         parse_key(&mut self.misplaced, entry, errors);
-    }
-
-    /// Reports and reads a body in the list of joints, if the entry is one.
-    pub(super) fn parse_body_among_joints(
-        &mut self,
-        entry: &[TokenTree],
-        errors: &mut Errors,
-    ) -> bool {
-        let [TokenTree::Ident(name), TokenTree::Group(group)] = entry else {
-            return false;
-        };
-        if group.delimiter() != Delimiter::Brace || !holds_keys(group) {
-            return false;
-        }
-        let message = format!("`{name}` is a body: move `{name} {{ .. }}` to `bodies`");
-        errors.push(name.span(), message);
-        self.parse_body(entry, errors);
-        true
-    }
-
-    /// Reports and reads a joint in the list of bodies, if the entry is `name = kind(..)`.
-    pub(super) fn parse_joint_among_bodies(
-        &mut self,
-        entry: &[TokenTree],
-        errors: &mut Errors,
-    ) -> bool {
-        let [
-            TokenTree::Ident(name),
-            sign,
-            TokenTree::Ident(kind),
-            TokenTree::Group(group),
-            ..,
-        ] = entry
-        else {
-            return false;
-        };
-        let is_call = group.delimiter() == Delimiter::Parenthesis && !holds_keys(group);
-        if !is_punct(sign, '=') || !is_call {
-            return false;
-        }
-        let message = format!("a joint stands in `joints`: move `{name} = {kind}(..)` there");
-        errors.push(name.span(), message);
-        self.parse_definition("joints", entry, errors);
-        true
     }
 
     /// Puts what stands in a wrong place where it belongs. A body without mass, inertia or a point
@@ -219,39 +134,5 @@ fn add(to: &mut Vec<Declaration>, from: impl IntoIterator<Item = Declaration>) {
         if !to.iter().any(|known| known.name == declaration.name) {
             to.push(declaration);
         }
-    }
-}
-
-/// What stands in braces behind a word that is no key.
-enum Outside<'t> {
-    Body(&'t Group),
-    Keys(&'t Group),
-}
-
-/// The braces behind a word that is no key, with or without a colon, if they are those of a body or
-/// of keys.
-fn outside<'t>(key: &Ident, rest: &'t [TokenTree]) -> Option<Outside<'t>> {
-    let (group, is_body) = match rest {
-        [TokenTree::Group(group)] => (group, true),
-        [colon, TokenTree::Group(group)] if is_punct(colon, ':') => (group, false),
-        _ => return None,
-    };
-    let is_of_body = |word: &str| OF_BODIES.contains(&word);
-    let is_key =
-        |word: &str| is_of_body(word) || list_meant(word).is_some() || key_meant(word).is_some();
-    if is_key(&key.to_string()) || group.delimiter() != Delimiter::Brace {
-        return None;
-    }
-    let word = |token| match token {
-        TokenTree::Ident(word) => word.to_string(),
-        _ => String::new(),
-    };
-    let tokens: Vec<String> = group.stream().into_iter().map(word).collect();
-    if tokens.iter().any(|word| is_of_body(word)) {
-        return Some(Outside::Body(group));
-    }
-    match tokens.first() {
-        Some(first) if is_key(first) => Some(Outside::Keys(group)),
-        _ => is_body.then_some(Outside::Body(group)),
     }
 }

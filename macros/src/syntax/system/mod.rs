@@ -1,6 +1,7 @@
 //! A system: bodies, the joints between them, and their drives.
 
 mod body;
+mod definitions;
 mod drawing;
 mod file;
 mod frames;
@@ -11,19 +12,17 @@ mod outputs;
 
 pub use drawing::Center;
 
-use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, foreign_list_meant, similar};
 
 pub use file::{File, file_beside};
-use misplaced::OF_BODIES;
 pub use misplaced::parse_lone_body;
 
 use super::entries::{
-    bracketed_entry, check_length, key_meant, key_value, parse_key, parse_name, parse_value,
-    report_unknown,
+    bracketed_entry, check_length, holds_keys, key_meant, key_value, parse_key, report_unknown,
 };
-use super::expression::{Expression, call};
+use super::expression::Expression;
 use super::head::parse_head;
 use super::tokens::{Entry, is_punct, split, start, without_attributes};
 use super::{Definition, Description};
@@ -78,6 +77,15 @@ const LISTS: [(&str, &str); 6] = [
     ("drives", "motor = torque.on(elbow)"),
     ("forces", "spring = tension.between(upper.tip, lower.tip)"),
     ("moments", "load = moment(2[N * m]).on(upper)"),
+];
+/// Keys that only bodies have.
+pub const OF_BODIES: [&str; 6] = [
+    "mass",
+    "inertia",
+    "points",
+    "joint_forces",
+    "joint_moments",
+    "pole",
 ];
 /// Keys that only systems have.
 const OF_SYSTEMS: [&str; 17] = [
@@ -201,6 +209,46 @@ impl System {
         }
     }
 
+    /// Reports and reads what stands in braces outside of the lists, if this is such a thing.
+    fn parse_outside(&mut self, name: &Ident, rest: &[TokenTree], errors: &mut Errors) -> bool {
+        let Some(found) = outside(name, rest) else {
+            return false;
+        };
+        match found {
+            Outside::Body(group) => {
+                let message =
+                    format!("a body stands in `bodies`: write `bodies: [.., {name} {{ .. }}]`");
+                errors.push(name.span(), message);
+                let entry = [name.clone().into(), TokenTree::Group(group.clone())];
+                self.parse_body(&entry, errors);
+            }
+            Outside::Keys(group) => {
+                let message = format!(
+                    "the keys stand in the braces of the system: leave `{name}` and these braces out"
+                );
+                errors.push(group.span_open(), message);
+                for entry in split(group.stream(), Entry::Key, errors) {
+                    self.parse_key(without_attributes(&entry, errors), errors);
+                }
+            }
+        }
+        true
+    }
+
+    /// Reports and reads a body in the list of joints, if the entry is one.
+    fn parse_body_among_joints(&mut self, entry: &[TokenTree], errors: &mut Errors) -> bool {
+        let [TokenTree::Ident(name), TokenTree::Group(group)] = entry else {
+            return false;
+        };
+        if group.delimiter() != Delimiter::Brace || !holds_keys(group) {
+            return false;
+        }
+        let message = format!("`{name}` is a body: move `{name} {{ .. }}` to `bodies`");
+        errors.push(name.span(), message);
+        self.parse_body(entry, errors);
+        true
+    }
+
     fn parse_list(
         &mut self,
         list: &str,
@@ -237,32 +285,6 @@ impl System {
             self.parse_definition(list, entry, errors);
         }
     }
-
-    /// `name = value` in a list other than `bodies`.
-    fn parse_definition(&mut self, list: &str, entry: &[TokenTree], errors: &mut Errors) {
-        let Some((name, rest)) = parse_name(&mut self.top, list, entry, errors) else {
-            self.has_lost_joints |= list == "joints";
-            return;
-        };
-        let value = parse_value(&name, rest, errors);
-        let definition = Definition { name, value };
-        match list {
-            "joints" if is_called(&definition, CABLE) => self.cables.push(definition),
-            // a link carries nothing: it is a constraint
-            "joints" if is_called(&definition, LINK) => self.top.constraints.push(definition),
-            "joints" => self.joints.push(definition),
-            "drives" => self.drives.push(definition),
-            "locked" => self.locked.push(definition),
-            "forces" => self.forces.push(definition),
-            _ => self.moments.push(definition),
-        }
-    }
-}
-
-/// Whether a joint is `kind(..)`, with or without methods after it.
-fn is_called(joint: &Definition, kind: &str) -> bool {
-    let called = joint.value.as_ref().and_then(call);
-    called.is_some_and(|((word, _), _)| word == kind)
 }
 
 /// The list of a system for which a key of other programs, or an unknown one, is written: bodies are
@@ -293,4 +315,38 @@ fn list_meant(word: &str) -> Option<&'static (&'static str, &'static str)> {
         let meant = meant()?;
         LISTS.iter().find(|(list, _)| *list == meant)
     })
+}
+
+/// What stands in braces behind a word that is no key.
+enum Outside<'t> {
+    Body(&'t Group),
+    Keys(&'t Group),
+}
+
+/// The braces behind a word that is no key, with or without a colon, if they are those of a body or
+/// of keys.
+fn outside<'t>(key: &Ident, rest: &'t [TokenTree]) -> Option<Outside<'t>> {
+    let (group, is_body) = match rest {
+        [TokenTree::Group(group)] => (group, true),
+        [colon, TokenTree::Group(group)] if is_punct(colon, ':') => (group, false),
+        _ => return None,
+    };
+    let is_of_body = |word: &str| OF_BODIES.contains(&word);
+    let is_key =
+        |word: &str| is_of_body(word) || list_meant(word).is_some() || key_meant(word).is_some();
+    if is_key(&key.to_string()) || group.delimiter() != Delimiter::Brace {
+        return None;
+    }
+    let word = |token| match token {
+        TokenTree::Ident(word) => word.to_string(),
+        _ => String::new(),
+    };
+    let tokens: Vec<String> = group.stream().into_iter().map(word).collect();
+    if tokens.iter().any(|word| is_of_body(word)) {
+        return Some(Outside::Body(group));
+    }
+    match tokens.first() {
+        Some(first) if is_key(first) => Some(Outside::Keys(group)),
+        _ => is_body.then_some(Outside::Body(group)),
+    }
 }

@@ -3,7 +3,8 @@
 use proc_macro2::{Ident, Span};
 
 use crate::errors::{Errors, hint};
-use crate::syntax::Motion;
+use crate::syntax::sizes::most_are;
+use crate::syntax::{Description, Motion};
 
 use super::System;
 
@@ -50,5 +51,16 @@ impl System {
             body.motion = motion(body.name.span());
         }
         self.top.motion = motion(self.place_of_motion());
+    }
+}
+
+impl System {
+    /// Whether most of its vectors have components in the plane, or in space.
+    pub fn shows(&self, is_planar: bool) -> bool {
+        let bodies = self.bodies.iter().flat_map(Description::values);
+        let beside = self.joints.iter().chain(&self.forces);
+        let beside = beside.filter_map(|definition| definition.value.as_ref());
+        let bodies = bodies.chain(self.top.values());
+        most_are(bodies.chain(beside), is_planar)
     }
 }

@@ -22,8 +22,11 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let Some(description) = syntax::parse_description(tokens, &mut errors) else {
         return errors.finish().unwrap_or_default();
     };
-    let mut outline = lower::outline(&description, &offers::<Model>(), &mut errors);
-    let model = lower::lower_description(&description, &mut outline, &mut errors);
+    expand_body(&description, errors)
+}
+
+fn expand_body(description: &syntax::Description, mut errors: Errors) -> TokenStream {
+    let (outline, model) = lower::read_body(description, &offers::<Model>(), &mut errors);
     // errors that only a well-formed description can have: ranks, solvability, ranges
     let solved = model
         .filter(|_| errors.is_empty())
@@ -34,12 +37,14 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
 /// Expands `(runtime) Name { key: value, .. }` of a system.
 pub fn expand_system(tokens: TokenStream) -> TokenStream {
     let mut errors = Errors::default();
-    let Some(description) = syntax::parse_system(tokens, &mut errors) else {
+    let Some(mut description) = syntax::parse_system(tokens.clone(), &mut errors) else {
         return errors.finish().unwrap_or_default();
     };
-    let mut outline = lower::outline(&description.top, &offers::<System>(), &mut errors);
-    lower::outline_system(&description, &mut outline);
-    let system = lower::lower_system(&description, &mut outline, &mut errors);
+    if let Some(body) = syntax::parse_lone_body(&description, tokens, &mut errors) {
+        return expand_body(&body, errors);
+    }
+    let offers = offers::<System>();
+    let (outline, system) = lower::read_system(&mut description, &offers, &mut errors);
     let solved = system
         .filter(|_| errors.is_empty())
         .and_then(|(system, work)| {

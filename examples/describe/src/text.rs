@@ -330,6 +330,7 @@ fn sign(operator: Operator) -> TokenStream {
         Operator::NotEqual => quote!(!=),
         Operator::And => quote!(&&),
         Operator::Or => quote!(||),
+        Operator::Power => quote!(^),
     }
 }
 

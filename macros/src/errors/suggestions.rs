@@ -57,6 +57,11 @@ const JOINTS: [&[&str]; 10] = [
     &["cylindrical", "cylinder", "pin_in_slot"],
 ];
 
+/// Whether a word is a kind of joint, here or in other tools.
+pub fn is_joint(word: &str) -> bool {
+    JOINTS.iter().any(|row| row.contains(&word))
+}
+
 /// The known kind of joint that a word means in other tools.
 fn joint_meant<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     let word = word.to_lowercase();
@@ -99,8 +104,22 @@ const VECTOR_METHODS: &Elsewhere = &[
     ("square", "norm_squared"),
 ];
 
+const SOLIDS: &Elsewhere = &[
+    ("ball", "sphere"),
+    ("disk", "disc"),
+    ("circle", "disc"),
+    ("bar", "rod"),
+    ("beam", "rod"),
+    ("pipe", "tube"),
+    ("hollow_cylinder", "tube"),
+    ("hollow_sphere", "shell"),
+    ("block", "cuboid"),
+    ("brick", "cuboid"),
+];
+
 const NAMES: &Elsewhere = &[
     ("time", "t"),
+    ("m", "mass"),
     ("angle", "attitude"),
     ("theta", "attitude"),
     ("theta_dot", "angular_velocity"),
@@ -181,6 +200,11 @@ pub fn function_meant(word: &str) -> Option<&'static str> {
 /// The method of vectors that a word means in other tools.
 pub fn vector_method_meant(word: &str) -> Option<&'static str> {
     meant(word, VECTOR_METHODS)
+}
+
+/// The solid that a word means in other tools.
+pub fn solid_meant(word: &str) -> Option<&'static str> {
+    meant(word, SOLIDS)
 }
 
 /// The built-in name that a word means in other tools.

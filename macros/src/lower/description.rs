@@ -1,5 +1,7 @@
 //! A description, read in order: its declarations, the body, its loads.
 
+use proc_macro2::Ident;
+
 use crate::errors::{Errors, every, silently, similar};
 use crate::lower::definitions::{
     INVERSE, LINEARIZATION, Offer, check_changing, check_names, outline_under, unused,
@@ -9,10 +11,83 @@ use crate::lower::expressions::{
 };
 use crate::lower::loads::check_states;
 use crate::model::{
-    Checks, Declared, Defaults, Drawn, ENTRIES, Inertia, Labels, MOTIONS, Mass, Model, Motion,
-    Outline, Reaction, SPATIAL, Workspace, state_symbols,
+    Checks, Declared, Defaults, Drawn, ENTRIES, FIXED_POINT, Inertia, Labels, MOTIONS, Mass, Model,
+    Motion, Outline, PIVOT, PLANAR, PLANAR_TRANSLATION, Reaction, SPATIAL, TRANSLATION, Workspace,
+    state_symbols,
 };
 use crate::syntax::{self, Description};
+
+/// What is known of a body even if it has errors, and its meaning if it has none.
+pub type Read = (Outline, Option<(Model, Workspace)>);
+
+/// Reads a body. One that is described in the plane under a motion in space, or the reverse, has
+/// one error for that, if it has fewer errors under the other motion.
+pub fn read_body(
+    description: &Description,
+    offers: &[&'static Offer],
+    errors: &mut Errors,
+) -> Read {
+    let before = errors.count();
+    let outline = outline(description, offers, errors);
+    let read = read_outline(description, outline, errors);
+    let Some((word, other)) = other_motion(description) else {
+        return read;
+    };
+    let read_other = |errors: &mut Errors| {
+        let outline = outline_under(other, description, offers, errors);
+        read_outline(description, outline, errors)
+    };
+    let count = errors.count() - before;
+    if count < 2 || !description.shows(other.is_planar) || count_errors(read_other) >= count {
+        return read;
+    }
+    errors.take_back(before);
+    let place = if other.is_planar {
+        "the plane"
+    } else {
+        "space"
+    };
+    let message = format!(
+        "the rest of `{}` is described in {place}: write `motion: {}{}`",
+        description.name,
+        other.word,
+        if other.is_supported() { "(..)" } else { "" }
+    );
+    errors.push(word.span(), message);
+    read_other(errors)
+}
+
+fn read_outline(description: &Description, mut outline: Outline, errors: &mut Errors) -> Read {
+    let model = lower_description(description, &mut outline, errors);
+    (outline, model)
+}
+
+/// The word of the motion, and the motion of the same kind in space instead of the plane, or the
+/// reverse.
+fn other_motion(description: &Description) -> Option<(&Ident, Motion)> {
+    let written = &description.motion.as_ref()?.word;
+    let motion = written_motion(description)?;
+    let pairs = [
+        (&SPATIAL, &PLANAR),
+        (&TRANSLATION, &PLANAR_TRANSLATION),
+        (&FIXED_POINT, &PIVOT),
+    ];
+    pairs
+        .into_iter()
+        .find_map(|(in_space, in_plane)| match motion {
+            _ if motion == in_space => Some((written, in_plane)),
+            _ if motion == in_plane => Some((written, in_space)),
+            _ => None,
+        })
+}
+
+/// The number of errors that are found, without reporting them.
+pub fn count_errors<T>(read: impl FnOnce(&mut Errors) -> T) -> usize {
+    silently(|errors| {
+        read(errors);
+        errors.count()
+    })
+}
 
 /// The outline of `description`. Without a valid motion, the most likely motion is assumed.
 pub fn outline(
@@ -36,10 +111,9 @@ fn similar_motion(description: &Description) -> Option<Motion> {
 /// from another motion are not reported.
 fn likely_motion(description: &Description, offers: &[&'static Offer]) -> Motion {
     let mistakes = |motion: &Motion| {
-        let count = silently(|errors| {
-            let mut outline = outline_under(motion, description, offers, errors);
-            lower_description(description, &mut outline, errors);
-            errors.count()
+        let count = count_errors(|errors| {
+            let outline = outline_under(motion, description, offers, errors);
+            read_outline(description, outline, errors)
         });
         (count, motion.word != SPATIAL.word)
     };
@@ -50,7 +124,7 @@ fn likely_motion(description: &Description, offers: &[&'static Offer]) -> Motion
 }
 
 /// Gives a description its meaning. `None` if there was any error.
-pub fn lower_description(
+fn lower_description(
     description: &Description,
     outline: &mut Outline,
     errors: &mut Errors,

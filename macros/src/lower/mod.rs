@@ -8,6 +8,6 @@ mod loads;
 mod system;
 
 pub use definitions::{FLOW, INVERSE, LINEARIZATION, Offer};
-pub use description::{lower_description, outline};
+pub use description::{outline, read_body};
 pub use expressions::{is_drive, is_unknown};
-pub use system::{lower_system, outline_system, targets};
+pub use system::{outline_system, read_system, targets};

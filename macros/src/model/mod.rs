@@ -16,7 +16,8 @@ pub use body::{
     least_moment, matrix, thinnest, words,
 };
 pub use joints::{
-    Coordinate, Field, Group, Joint, MOTIONS, Motion, Orientation, PLANAR, Rates, SPATIAL, Shape,
+    Coordinate, FIXED_POINT, Field, Group, Joint, MOTIONS, Motion, Orientation, PIVOT, PLANAR,
+    PLANAR_TRANSLATION, Rates, SPATIAL, Shape, TRANSLATION,
 };
 pub use kinematics::{
     Attitude, Axis, Own, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,

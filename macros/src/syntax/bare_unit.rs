@@ -77,7 +77,8 @@ pub fn lacks_brackets(before: Option<&TokenTree>, word: &Ident) -> bool {
     match before {
         Some(TokenTree::Literal(_)) => !is_keyword(&word.to_string()),
         Some(TokenTree::Group(group)) => {
-            group.delimiter() != Delimiter::Bracket && is_unit_word(word)
+            // `t` is the time
+            group.delimiter() != Delimiter::Bracket && is_unit_word(word) && word != "t"
         }
         _ => false,
     }

@@ -3,48 +3,75 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenStream, TokenTree};
 
-use crate::errors::Errors;
+use crate::errors::{Errors, silently};
+use crate::units::is_unit;
 
 use super::bare_unit::is_unit_word;
 use super::motion::{ROD, SUPPORTS};
 use super::tokens::{after_sign, has_comma, is_punct};
+use super::unit::UnitExpression;
 use super::words::is_keyword;
 
 /// Words that are followed by braces and named entries.
 const RECORDS: [&str; 2] = ["tensor", "products"];
 /// Words whose arguments are mistaken for a unit if there is only one.
-const CALLED: [&str; 4] = ["world", "body", "moment", "at"];
+const CALLED: [&str; 5] = ["world", "body", "moment", "at", "table"];
+/// The most letters of arguments that a message repeats.
+const ARGUMENTS: usize = 40;
 
-/// The group as it should be written behind the token `before`.
-pub fn meant(group: &Group, before: Option<&TokenTree>, errors: &mut Errors) -> Group {
-    let word = match before {
+/// The group at `index`, as it should be written behind the word before it.
+pub fn meant(group: &Group, tokens: &[TokenTree], index: usize, errors: &mut Errors) -> Group {
+    let word = match index.checked_sub(1).map(|before| &tokens[before]) {
         Some(TokenTree::Ident(word)) if !is_keyword(&word.to_string()) => word,
         _ => return group.clone(),
     };
+    let is_method = index > 1 && is_punct(&tokens[index - 2], '.');
+    // braces behind a word may be a branch
+    let is_branch = tokens[..index]
+        .iter()
+        .any(|token| matches!(token, TokenTree::Ident(word) if word == "if"));
     let written = group.delimiter();
     let named = names_entries(group.stream());
-    let entries = format!(
-        "entries stand in braces, with colons: write `{word} {{ xx: .., yy: .., zz: .. }}`"
-    );
-    let arguments = if named {
-        format!("arguments stand in parentheses and have no names: write `{word}(..)`")
-    } else {
-        format!("arguments stand in parentheses: write `{word}(..)`")
+    let is_record = is_record(index.checked_sub(1).map(|before| &tokens[before]));
+    let is_call = match written {
+        Delimiter::Bracket => {
+            is_called(word)
+                || has_comma(group) && !begins_with_unit(group)
+                || is_method && component_meant(group).is_none() && written_unit(group).is_none()
+        }
+        Delimiter::Brace => has_comma(group) || named || !is_branch,
+        Delimiter::Parenthesis => named,
+        Delimiter::None => false,
     };
     let (delimiter, message) = match written {
-        _ if RECORDS.iter().any(|record| word == record) => match written {
-            _ if named && (written != Delimiter::Brace || has_equals(group.stream())) => {
-                (Delimiter::Brace, entries)
-            }
-            // entries without names are reported where the inertia is read
-            _ if begins_with_number(group) => (Delimiter::Parenthesis, String::new()),
-            _ => return group.clone(),
+        _ if is_record && named => match written {
+            Delimiter::Brace if !has_equals(group.stream()) => return group.clone(),
+            _ => (
+                Delimiter::Brace,
+                format!(
+                    "entries stand in braces, with colons: write `{word} {{ xx: .., yy: .., zz: .. }}`"
+                ),
+            ),
         },
-        Delimiter::Bracket if is_called(word) || has_comma(group) && !begins_with_unit(group) => {
-            (Delimiter::Parenthesis, arguments)
+        // entries without names are reported where the inertia is read
+        _ if is_record && holds_lists(group) => {
+            return Group::new(Delimiter::Parenthesis, TokenStream::new());
         }
-        Delimiter::Brace if has_comma(group) || named => (Delimiter::Parenthesis, arguments),
-        _ => return group.clone(),
+        _ if is_record && begins_with_number(group) => (Delimiter::Parenthesis, String::new()),
+        _ if is_record || !is_call => return group.clone(),
+        Delimiter::Parenthesis => (
+            written,
+            format!("arguments have no names: write `{word}({})`", values(group)),
+        ),
+        _ if named => (
+            Delimiter::Parenthesis,
+            format!("arguments stand in parentheses and have no names: write `{word}(..)`"),
+        ),
+        _ => {
+            let dot = if is_method { "." } else { "" };
+            let message = format!("arguments stand in parentheses: write `{dot}{word}(..)`");
+            (Delimiter::Parenthesis, message)
+        }
     };
     if !message.is_empty() {
         errors.push(group.span_open(), message);
@@ -56,6 +83,65 @@ pub fn meant(group: &Group, before: Option<&TokenTree>, errors: &mut Errors) -> 
     let mut meant = Group::new(delimiter, inner);
     meant.set_span(group.span());
     meant
+}
+
+/// Whether braces behind this token hold named entries.
+pub fn is_record(before: Option<&TokenTree>) -> bool {
+    let is_word = |record: &&str| matches!(before, Some(TokenTree::Ident(word)) if word == record);
+    RECORDS.iter().any(is_word)
+}
+
+/// The arguments in a group without their names, unless they are long.
+fn values(group: &Group) -> String {
+    let written = without_names(group.stream()).to_string();
+    if written.chars().count() > ARGUMENTS {
+        return "..".to_owned();
+    }
+    written
+}
+
+/// Whether a group holds lists in brackets.
+fn holds_lists(group: &Group) -> bool {
+    let mut tokens = group.stream().into_iter();
+    tokens.any(|token| matches!(token, TokenTree::Group(list) if list.delimiter() == Delimiter::Bracket && has_comma(&list)))
+}
+
+/// The component that a group means if it holds the number of one, as in `velocity[0]`. `[1]` is
+/// the unit of pure numbers.
+pub fn component_meant(group: &Group) -> Option<char> {
+    match group.stream().to_string().as_str() {
+        "0" => Some('x'),
+        "2" => Some('z'),
+        _ => None,
+    }
+}
+
+/// Reports parentheses behind a number, or behind other ones if they hold a unit:
+/// `9.81(m / s ^ 2)`. They can be left out.
+pub fn behind_number(group: &Group, before: Option<&TokenTree>, errors: &mut Errors) -> bool {
+    let is_parentheses = |group: &Group| group.delimiter() == Delimiter::Parenthesis;
+    let number = match before {
+        _ if !is_parentheses(group) => return false,
+        Some(TokenTree::Literal(number)) => number.to_string(),
+        Some(TokenTree::Group(before)) if is_parentheses(before) => "(..)".to_owned(),
+        _ => return false,
+    };
+    let message = match written_unit(group) {
+        Some(unit) => format!("a unit stands in square brackets: write `{number}[{unit}]`"),
+        None if matches!(before, Some(TokenTree::Group(_))) => return false,
+        None => format!("a product is written with `*`: write `{number} * (..)`"),
+    };
+    errors.push(group.span_open(), message);
+    true
+}
+
+/// The unit in a group, as it should be written.
+pub fn written_unit(group: &Group) -> Option<String> {
+    let unit = silently(|errors| UnitExpression::parse(group, errors))?;
+    let mut words = unit.factors.iter().map(|(word, _)| word.to_string());
+    words
+        .all(|word| is_unit(&word))
+        .then(|| group.stream().to_string())
 }
 
 fn is_called(word: &Ident) -> bool {
@@ -120,4 +206,42 @@ fn without_names(tokens: TokenStream) -> TokenStream {
         entry.into_iter().skip(skipped)
     });
     values.collect()
+}
+
+/// Whether brackets hold a list in place of an operand.
+pub fn is_list(group: &Group, before: Option<&TokenTree>) -> bool {
+    let is_alone = !before.is_some_and(ends_operand);
+    group.delimiter() == Delimiter::Bracket || is_alone && has_comma(group)
+}
+
+/// Whether brackets in place of an operand hold one value, and no unit.
+pub fn is_value_in_brackets(
+    group: &Group,
+    before: Option<&TokenTree>,
+    function: Option<&Ident>,
+) -> bool {
+    is_list(group, before)
+        && function.is_none_or(|word| word != "compose")
+        && !has_comma(group)
+        && !group.stream().is_empty()
+        && written_unit(group).is_none()
+}
+
+/// Whether a word stands directly behind another operand.
+pub fn is_second_operand(before: Option<&TokenTree>, word: &Ident) -> bool {
+    let is_operand = match before {
+        Some(TokenTree::Ident(first)) => !is_keyword(&first.to_string()) && first != "not",
+        Some(TokenTree::Group(group)) => group.delimiter() != Delimiter::Brace,
+        _ => false,
+    };
+    is_operand && !is_keyword(&word.to_string())
+}
+
+/// Whether square brackets after this token would hold a unit.
+pub fn ends_operand(token: &TokenTree) -> bool {
+    match token {
+        TokenTree::Ident(word) => !matches!(word.to_string().as_str(), "if" | "else"),
+        TokenTree::Literal(_) | TokenTree::Group(_) => true,
+        TokenTree::Punct(_) => false,
+    }
 }

@@ -78,6 +78,8 @@ pub enum Operator {
     NotEqual,
     And,
     Or,
+    /// `^`, which is a power in units alone. It is reported where the names around it are known.
+    Power,
 }
 
 /// A function or a method, with its arguments.

@@ -76,39 +76,56 @@ fn is_key(rest: &[TokenTree]) -> bool {
     value.is_some_and(|value| !matches!(value, [first] if is_brace(first)))
 }
 
-/// Skips and reports tokens that Rust would allow before a name.
+/// Skips tokens that Rust would allow before a name. They are reported once.
 fn from_name<'t>(tokens: &'t [TokenTree], errors: &mut Errors) -> Option<&'t [TokenTree]> {
-    match tokens {
-        [hash, ..] if is_punct(hash, '#') => {
+    let mut rest = skip_attributes(tokens);
+    if let [TokenTree::Ident(word), after @ ..] = rest
+        && word == "pub"
+    {
+        rest = match after {
+            [TokenTree::Group(_), after @ ..] => after,
+            _ => after,
+        };
+    }
+    if let [TokenTree::Ident(word), TokenTree::Ident(_), ..] = rest
+        && (word == "struct" || word == "enum")
+    {
+        rest = &rest[1..];
+    }
+    let skipped = &tokens[..tokens.len() - rest.len()];
+    match skipped {
+        [] if rest.is_empty() => {
+            return errors.report(
+                Span::call_site(),
+                "write a description: `rigid_body!(Name { motion: spatial, mass: 1[kg], .. })`",
+            );
+        }
+        [] => {}
+        [hash, TokenTree::Group(attribute), ..] if skip_attributes(skipped).is_empty() => {
+            let is_doc = attribute.stream().to_string().starts_with("doc");
             errors.push(
                 hash.span(),
-                "documentation of the generated type stands inside: `doc: \"..\"`",
+                if is_doc {
+                    "documentation of the generated type stands inside: `doc: \"..\"`"
+                } else {
+                    "no attribute can stand here: leave it out"
+                },
             );
-            Some(skip_attributes(tokens))
         }
-        [TokenTree::Ident(word), rest @ ..] if word == "pub" => {
-            errors.push(
-                word.span(),
-                "generated items are `pub`: wrap the call in a module to hide them",
-            );
-            match rest {
-                [TokenTree::Group(_), rest @ ..] => Some(rest),
-                _ => Some(rest),
-            }
+        [TokenTree::Ident(word)] if word != "pub" => {
+            let message = format!("a description begins with its name: leave `{word}` out");
+            errors.push(word.span(), message);
         }
-        [TokenTree::Ident(word), TokenTree::Ident(_), ..] if word == "struct" || word == "enum" => {
-            errors.push(
-                word.span(),
-                format!("a description begins with its name: leave `{word}` out"),
-            );
-            Some(&tokens[1..])
-        }
-        [_, ..] => Some(tokens),
-        [] => errors.report(
-            Span::call_site(),
-            "write a description: `rigid_body!(Name { motion: spatial, mass: 1[kg], .. })`",
+        [TokenTree::Ident(word)] | [TokenTree::Ident(word), TokenTree::Group(_)] => errors.push(
+            word.span(),
+            "generated items are `pub`: wrap the call in a module to hide them",
+        ),
+        _ => errors.push(
+            Extent::of(stream(skipped)),
+            "a description begins with its name: leave this out",
         ),
     }
+    Some(rest)
 }
 
 /// `::<T>` between the name and its brace: the scalar over which the body is generic. If it is

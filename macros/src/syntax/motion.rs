@@ -2,10 +2,10 @@
 
 use proc_macro2::{Delimiter, Ident, TokenTree};
 
-use crate::errors::{Errors, similar};
+use crate::errors::{Errors, Extent, similar};
 
 use super::expression::{Expression, Kind};
-use super::tokens::{start, stream};
+use super::tokens::{is_punct, quoted_word, start, stream};
 use super::{Motion, Support};
 
 /// Kinds of motion about a support.
@@ -33,6 +33,29 @@ pub fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Motion> 
                 support: Some(read_support(word, written, errors)),
             })
         }
+        [TokenTree::Literal(literal)] if quoted_word(literal).is_some() => {
+            let word = quoted_word(literal)?;
+            let message = format!("a kind of motion has no quotes: write `{word}`");
+            errors.push(literal.span(), message);
+            Some(Motion {
+                word,
+                support: None,
+            })
+        }
+        [
+            TokenTree::Ident(first),
+            a,
+            b,
+            TokenTree::Ident(word),
+            rest @ ..,
+        ] if is_punct(a, ':') && is_punct(b, ':') => {
+            let word = Ident::new(&snake(&word.to_string()), word.span());
+            let message = format!("a kind of motion is one word: write `{word}`");
+            errors.push(Extent::from(first.span()).to(word.span().into()), message);
+            let word = core::iter::once(TokenTree::Ident(word));
+            let rest: Vec<TokenTree> = word.chain(rest.iter().cloned()).collect();
+            parse_motion(&rest, errors)
+        }
         [] => None,
         [TokenTree::Ident(word), extra, ..] => {
             errors.push(start(extra), "nothing follows the kind of motion");
@@ -47,6 +70,18 @@ pub fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Motion> 
                  `translation`, `rotation`, or one with a support such as `pivot(P)`",
         ),
     }
+}
+
+/// `fixed_point` for `FixedPoint`.
+fn snake(word: &str) -> String {
+    let mut written = String::new();
+    for letter in word.chars() {
+        if letter.is_uppercase() && !written.is_empty() {
+            written.push('_');
+        }
+        written.extend(letter.to_lowercase());
+    }
+    written
 }
 
 /// Whether a word is a kind of support, or is meant to be one.

@@ -9,7 +9,8 @@ use crate::errors::{Errors, Extent};
 
 use super::bare_unit::meant_instead;
 use super::expression::{Expression, Kind, Operator, Prefix, Step};
-use super::screen::{DEPTH, Screened, screen, too_deep};
+use super::nesting::{DEPTH, too_deep};
+use super::screen::{Screened, screen};
 use super::unit::UnitExpression;
 
 impl Expression {
@@ -256,11 +257,7 @@ impl Reader<'_> {
             BinOp::Ne(_) => Operator::NotEqual,
             BinOp::And(_) => Operator::And,
             BinOp::Or(_) => Operator::Or,
-            BinOp::BitXor(_) => {
-                let message = "`^` is a power only inside unit brackets: write `x.powi(2)`; of a vector \
-                               `v.norm_squared()`, and along it `v.norm() * v`";
-                return self.refuse(operator, message);
-            }
+            BinOp::BitXor(_) => Operator::Power,
             BinOp::Rem(_) => {
                 let message = "there is no remainder here: write `x - (x / y).floor() * y`";
                 return self.refuse(operator, message);

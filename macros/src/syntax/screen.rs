@@ -4,26 +4,22 @@
 //! recurses into them. Units are taken out on the way: syn sees `2[kg * m ^ 2]` as `2[0]`, where 0
 //! is the index of the unit.
 
-use proc_macro2::{Delimiter, Group, Ident, Literal, Spacing, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Literal, Spacing, TokenStream, TokenTree};
 
 use crate::errors::{Errors, Extent};
 
 use super::bare_unit::{BareUnit, lacks_brackets, meant_instead};
-use super::brackets::meant;
-use super::tokens::{
-    argument_name, group_beyond, has_comma, is_parenthesised, is_punct, start, token_beyond,
+use super::brackets::{
+    behind_number, component_meant, ends_operand, is_list, is_record, is_second_operand,
+    is_value_in_brackets, meant,
 };
+use super::nesting::{DEPTH, Nested, crossed_limit, too_deep};
+use super::tokens::{argument_name, comma, has_comma, is_parenthesised, is_punct, start};
 use super::unit::UnitExpression;
 use super::words::is_keyword;
 
-/// The most tokens of one expression. An error at this limit is better than a stack overflow.
-const TOKENS: usize = 2000;
 /// The most digits of a number, including its point and exponent: every double needs fewer.
 const DIGITS: usize = 1200;
-/// The most brackets inside each other.
-const NESTING: usize = 48;
-/// The most brackets, prefixes, methods and branches inside each other.
-pub const DEPTH: usize = 128;
 
 /// An expression that is safe for syn.
 pub struct Screened {
@@ -45,24 +41,6 @@ pub fn screen(tokens: TokenStream, errors: &mut Errors) -> Option<Screened> {
     let tokens = screen.stream(tokens, 0, None);
     let Screen { units, refused, .. } = screen;
     (!refused).then_some(Screened { tokens, units })
-}
-
-/// The token at which a limit is crossed, found without recursion.
-fn crossed_limit(tokens: &TokenStream) -> Option<(Span, String)> {
-    if let Some(group) = group_beyond(tokens, NESTING) {
-        let message = format!(
-            "brackets nested more than {NESTING} deep: name parts of this expression as `locals`"
-        );
-        return Some((group.span_open(), message));
-    }
-    let token = token_beyond(tokens, TOKENS)?;
-    let message =
-        format!("here this expression has more than {TOKENS} tokens: name parts of it as `locals`");
-    Some((start(&token), message))
-}
-
-pub fn too_deep() -> String {
-    format!("nested more than {DEPTH} deep: name parts of this expression as `locals`")
 }
 
 struct Screen<'a> {
@@ -93,13 +71,17 @@ impl Screen<'_> {
                 break;
             }
             let read = match token {
+                TokenTree::Group(group) if behind_number(group, before, self.errors) => Some(1),
                 TokenTree::Group(group) => {
-                    let group = &meant(group, before, self.errors);
+                    let group = &meant(group, &tokens, index, self.errors);
                     shown.push(self.group(group, before, depth + nested.depth(), function));
                     Some(1)
                 }
                 TokenTree::Ident(word) if lacks_brackets(before, word) => {
                     self.bare_unit(word, before, &tokens[index + 1..])
+                }
+                TokenTree::Ident(word) if is_second_operand(before, word) => {
+                    self.second_operand(word, before)
                 }
                 TokenTree::Ident(word) => {
                     let word = self.word(word, &tokens[index + 1..]);
@@ -132,6 +114,23 @@ impl Screen<'_> {
         shown.into_iter().collect()
     }
 
+    /// The tokens with commas in place of semicolons, which are reported once.
+    fn with_commas(&mut self, tokens: TokenStream) -> TokenStream {
+        let mut is_reported = false;
+        let tokens = tokens.into_iter().map(|token| {
+            if !is_punct(&token, ';') {
+                return token;
+            }
+            if !is_reported {
+                self.errors
+                    .push(token.span(), "expected a comma instead of this");
+            }
+            is_reported = true;
+            comma(token.span())
+        });
+        tokens.collect()
+    }
+
     fn refuse<T>(&mut self, place: impl Into<Extent>, message: &str) -> Option<T> {
         self.errors.push(place, message);
         self.refused = true;
@@ -140,7 +139,7 @@ impl Screen<'_> {
 
     fn named_argument<T>(&mut self, name: &Ident, sign: &TokenTree) -> Option<T> {
         let place = Extent::from(name.span()).to(sign.span().into());
-        let message = format!("arguments have no names: leave `{name} =` out");
+        let message = format!("arguments have no names: leave `{name} {sign}` out");
         self.refuse(place, &message)
     }
 
@@ -163,7 +162,7 @@ impl Screen<'_> {
     ) -> TokenTree {
         let mut shown = match group.delimiter() {
             Delimiter::Bracket if before.is_some_and(ends_operand) => {
-                let unit = UnitExpression::parse(group, self.errors);
+                let unit = self.unit(group, before);
                 self.units.push(unit);
                 let number = Literal::usize_unsuffixed(self.units.len() - 1);
                 Group::new(Delimiter::Bracket, TokenTree::from(number).into())
@@ -176,6 +175,12 @@ impl Screen<'_> {
             Delimiter::Bracket if function.is_some_and(|word| word == "table") => {
                 let inner = self.stream(group.stream(), depth + 1, function);
                 Group::new(Delimiter::Bracket, inner)
+            }
+            Delimiter::Bracket if is_value_in_brackets(group, before, function) => {
+                let message = "no list can stand here: leave these brackets out";
+                self.errors.push(group.span_open(), message);
+                let inner = self.stream(group.stream(), depth + 1, None);
+                Group::new(Delimiter::Parenthesis, inner)
             }
             Delimiter::Bracket | Delimiter::Brace if is_list(group, before) => {
                 let (place, message) = match function {
@@ -199,15 +204,50 @@ impl Screen<'_> {
             }
             delimiter => {
                 let function = match before {
-                    Some(TokenTree::Ident(word)) => Some(word),
+                    Some(TokenTree::Ident(word)) if delimiter == Delimiter::Parenthesis => {
+                        Some(word)
+                    }
                     _ => None,
                 };
-                let inner = self.stream(group.stream(), depth + 1, function);
+                // other braces are branches
+                let inner = match delimiter {
+                    Delimiter::Brace if !is_record(before) => group.stream(),
+                    _ => self.with_commas(group.stream()),
+                };
+                let inner = self.stream(inner, depth + 1, function);
                 Group::new(delimiter, inner)
             }
         };
         shown.set_span(group.span());
         TokenTree::Group(shown)
+    }
+
+    /// The unit in brackets behind an operand.
+    fn unit(&mut self, group: &Group, before: Option<&TokenTree>) -> Option<UnitExpression> {
+        match component_meant(group) {
+            Some(axis) if !matches!(before, Some(TokenTree::Literal(_))) => {
+                let message =
+                    format!("brackets hold a unit: a component is written `.in_world().{axis}`");
+                self.errors.report(group.span(), message)
+            }
+            _ => UnitExpression::parse(group, self.errors),
+        }
+    }
+
+    /// Reports a word directly behind another operand.
+    fn second_operand<T>(&mut self, word: &Ident, before: Option<&TokenTree>) -> Option<T> {
+        let first = match before {
+            Some(TokenTree::Ident(first)) => first.to_string(),
+            _ => "(..)".to_owned(),
+        };
+        let text = word.to_string();
+        let message = match text.as_str() {
+            "and" | "or" | "then" => meant_instead("", &text).unwrap_or_default(),
+            _ => format!(
+                "expected an operator or a comma before this: a product is written `{first} * {word}`"
+            ),
+        };
+        self.refuse(word.span(), &message)
     }
 
     /// The number of tokens of a unit without brackets. They are left out, so that what stands
@@ -258,6 +298,11 @@ impl Screen<'_> {
             };
             return self.refuse(place, message);
         }
+        let is_value =
+            |token: &TokenTree| matches!(token, TokenTree::Ident(_) | TokenTree::Literal(_));
+        if text == "not" && after.first().is_some_and(is_value) {
+            return self.refuse(word.span(), "`not` is written `!`: write `!(..)`");
+        }
         if matches!(text.as_str(), "if" | "else" | "true" | "false") || !is_keyword(&text) {
             return Some(word.clone());
         }
@@ -276,7 +321,10 @@ impl Screen<'_> {
         if is_name && !matches!(text.as_str(), "self" | "Self" | "super" | "crate") {
             return Some(Ident::new_raw(&text, word.span()));
         }
-        let message = if text == "box" {
+        let is_dot = |token: &TokenTree| is_punct(token, '.');
+        let message = if text == "self" && after.first().is_some_and(is_dot) {
+            "the quantities of the body stand alone: leave `self.` out".to_owned()
+        } else if text == "box" {
             "`box` is a keyword of Rust: the solid is called `cuboid`".to_owned()
         } else {
             format!(
@@ -327,73 +375,5 @@ impl Screen<'_> {
             return self.refuse(place, "expected a value after this");
         }
         Some(length)
-    }
-}
-
-/// Nesting that needs no brackets.
-#[derive(Default)]
-struct Nested {
-    /// Consecutive signs.
-    signs: usize,
-    /// Consecutive methods, fields and units.
-    methods: usize,
-    /// `if`s whose conditions are not finished.
-    conditions: usize,
-    /// Consecutive `else`s.
-    branches: usize,
-}
-
-impl Nested {
-    fn depth(&self) -> usize {
-        self.signs + self.methods + self.conditions + self.branches
-    }
-
-    fn pass(&mut self, before: Option<&TokenTree>, token: &TokenTree, next: Option<&TokenTree>) {
-        match token {
-            TokenTree::Punct(sign) if sign.as_char() == '.' => {
-                self.signs = 0;
-                self.methods += 1;
-            }
-            TokenTree::Punct(_) => {
-                self.signs += 1;
-                self.methods = 0;
-            }
-            TokenTree::Group(group) if group.delimiter() != Delimiter::Brace => {
-                self.signs = 0;
-                let is_call = group.delimiter() == Delimiter::Parenthesis;
-                let follows_group = matches!(before, Some(TokenTree::Group(_)));
-                self.methods += usize::from(!is_call || follows_group);
-            }
-            TokenTree::Group(_) => {
-                let goes_on = matches!(next, Some(TokenTree::Ident(word)) if word == "else");
-                self.signs = 0;
-                self.methods = 0;
-                self.conditions = self.conditions.saturating_sub(1);
-                if !goes_on && self.conditions == 0 {
-                    self.branches = 0;
-                }
-            }
-            TokenTree::Ident(word) => {
-                self.signs = 0;
-                self.conditions += usize::from(word == "if");
-                self.branches += usize::from(word == "else");
-            }
-            TokenTree::Literal(_) => self.signs = 0,
-        }
-    }
-}
-
-/// Whether brackets hold a list in place of an operand.
-fn is_list(group: &Group, before: Option<&TokenTree>) -> bool {
-    let is_alone = !before.is_some_and(ends_operand);
-    group.delimiter() == Delimiter::Bracket || is_alone && has_comma(group)
-}
-
-/// Whether square brackets after this token would hold a unit.
-fn ends_operand(token: &TokenTree) -> bool {
-    match token {
-        TokenTree::Ident(word) => !matches!(word.to_string().as_str(), "if" | "else"),
-        TokenTree::Literal(_) | TokenTree::Group(_) => true,
-        TokenTree::Punct(_) => false,
     }
 }

@@ -1,7 +1,7 @@
 //! Tokens between commas. Lists are split before anything in them is read, so that a bad entry
 //! hides no others. Nothing here recurses into nested user input.
 
-use proc_macro2::{Delimiter, Group, Ident, Punct, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::{Lit, LitStr};
 
 use crate::errors::Errors;
@@ -51,6 +51,9 @@ pub fn split(tokens: TokenStream, entry: Entry, errors: &mut Errors) -> Vec<Vec<
     if !current.is_empty() {
         entries.push(current);
     }
+    for entry in &mut entries {
+        without_quotes(entry, errors);
+    }
     entries
 }
 
@@ -66,11 +69,16 @@ fn begins(entry: Entry, name: &Ident, before: &[TokenTree], after: Option<&Token
     follows_value
         && match entry {
             Entry::Key => followed_by(':'),
+            Entry::Declared if matches!(before, [TokenTree::Ident(word)] if word == "moving") => {
+                false
+            }
             Entry::Declared if !is_keyword(&name.to_string()) => {
                 followed_by('=')
                     || !(lacks_brackets(before.last(), name)
                         || before.len() == 1 && is_unit_word(name))
             }
+            // one word in front of a name belongs to it
+            Entry::Defined if matches!(before, [TokenTree::Ident(_)]) => false,
             Entry::Declared | Entry::Defined => followed_by('='),
         }
 }
@@ -90,14 +98,15 @@ pub fn after_sign(tokens: &[TokenTree], sign: char) -> Option<(&Punct, &[TokenTr
     (first.as_char() == sign && !doubled).then_some((first, value))
 }
 
-/// The name in `name = value` among the arguments of `function`, if the `=` is at `index`.
+/// The name in `name = value` or `name: value` among the arguments of `function`, if the `=` is at `index`.
 pub fn argument_name<'t>(
     tokens: &'t [TokenTree],
     index: usize,
     function: Option<&Ident>,
 ) -> Option<&'t Ident> {
     function.filter(|word| !is_keyword(&word.to_string()))?;
-    after_sign(&tokens[index..], '=')?;
+    let rest = &tokens[index..];
+    after_sign(rest, '=').or_else(|| after_sign(rest, ':'))?;
     match &tokens[..index] {
         [TokenTree::Ident(name)] => Some(name),
         [.., comma, TokenTree::Ident(name)] if is_punct(comma, ',') => Some(name),
@@ -134,6 +143,13 @@ pub fn skip_attributes(tokens: &[TokenTree]) -> &[TokenTree] {
         rest = tail;
     }
     rest
+}
+
+/// A comma at this place.
+pub fn comma(place: Span) -> TokenTree {
+    let mut comma = Punct::new(',', Spacing::Alone);
+    comma.set_span(place);
+    TokenTree::Punct(comma)
 }
 
 /// The beginning of a token; for a group, its opening bracket.
@@ -193,6 +209,33 @@ pub fn string(value: &[TokenTree]) -> Option<LitStr> {
     match Lit::new(literal.clone()) {
         Lit::Str(text) => Some(text),
         _ => None,
+    }
+}
+
+/// The word in quotes.
+pub fn quoted_word(literal: &Literal) -> Option<Ident> {
+    let Lit::Str(text) = Lit::new(literal.clone()) else {
+        return None;
+    };
+    text.parse::<Ident>().ok()
+}
+
+/// `"name" = ..` and `"key": ..` without the quotes, which are reported.
+fn without_quotes(entry: &mut [TokenTree], errors: &mut Errors) {
+    let [first @ TokenTree::Literal(_), sign, ..] = entry else {
+        return;
+    };
+    let TokenTree::Literal(literal) = &*first else {
+        return;
+    };
+    if let Some(word) = quoted_word(literal)
+        && (is_punct(sign, ':') || is_punct(sign, '='))
+    {
+        errors.push(
+            literal.span(),
+            format!("a name has no quotes: write `{word}`"),
+        );
+        *first = TokenTree::Ident(word);
     }
 }
 

@@ -93,23 +93,26 @@ impl Lowering<'_> {
             .collect();
         let words: Vec<String> = states.iter().map(ToString::to_string).collect();
         // states that a misspelt rate may belong to
-        let mut meant = Vec::new();
+        let mut misspelt = Vec::new();
         for rate in &description.rates {
             let (name, word) = (&rate.name, rate.name.to_string());
             if words.contains(&word) || self.scope.is_lost(&word) {
                 continue;
             }
             let known = || words.iter().map(String::as_str);
-            meant.extend(similar(&word, known()));
+            misspelt.extend(similar(&word, known()));
             let hint = hint(&word, known());
-            self.errors.push(
-                name.span(),
-                format!("there is no state `{name}`: a rate is that of one of the `states`{hint}"),
-            );
+            let meant = if words.is_empty() {
+                format!("a rate is that of a state, `states: [{name}]`")
+            } else {
+                format!("a rate is that of one of the `states`{hint}")
+            };
+            self.errors
+                .push(name.span(), format!("there is no state `{name}`: {meant}"));
         }
         for (name, word) in states.into_iter().zip(&words) {
             let has_rate = description.rates.iter().any(|rate| rate.name == *name);
-            if !has_rate && !self.scope.is_lost(word) && !meant.contains(&word.as_str()) {
+            if !has_rate && !self.scope.is_lost(word) && !misspelt.contains(&word.as_str()) {
                 self.errors.push(
                     name.span(),
                     format!("`{name}` has no rate: write `rates: [{name} = ..]`"),

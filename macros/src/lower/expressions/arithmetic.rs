@@ -37,6 +37,7 @@ impl Lowering<'_> {
     }
 
     pub fn chain(&mut self, first: &Expression, rest: &[Step]) -> Option<Value> {
+        self.check_brackets_of_unit(first, rest)?;
         let mut left = Side {
             value: self.value(first),
             written: Some(first),
@@ -65,6 +66,7 @@ impl Lowering<'_> {
             Operator::Add | Operator::Subtract => self.sum(left, right, sides),
             Operator::Multiply => self.product(left, right, sides),
             Operator::Divide => self.quotient(left, right, sides),
+            Operator::Power => self.report(sides.step.place, POWER),
             Operator::And | Operator::Or => match (left, right) {
                 (Value::Condition(a), Value::Condition(b)) => {
                     let graph = &mut self.work.graph;
@@ -355,6 +357,9 @@ impl Lowering<'_> {
         }))
     }
 }
+
+const POWER: &str = "`^` is a power only inside unit brackets: write `x.powi(2)`; of a vector \
+                     `v.norm_squared()`, and along it `v.norm() * v`";
 
 /// One side of an operator.
 struct Side<'e> {

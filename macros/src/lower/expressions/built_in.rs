@@ -244,6 +244,7 @@ impl Lowering<'_> {
         match name {
             "attitude" | "angular_velocity" | "angular_acceleration" => self.motion.has_attitude(),
             "position" | "velocity" | "acceleration" => self.motion.knows_position(),
+            "mass" => self.scope.peek(name).is_some(),
             _ => true,
         }
     }

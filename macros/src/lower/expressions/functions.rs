@@ -53,6 +53,9 @@ impl Lowering<'_> {
                 function.span(),
                 "the gradient of a constraint is its method: write `name.gradient()`",
             ),
+            "not" if self.scope.look_up(&word).is_none() => {
+                self.report(function.span(), "`not` is written `!`: write `!(..)`")
+            }
             "moment" => self.report(
                 function.span(),
                 "`moment(..)` stands alone behind the name of a reaction or a field",

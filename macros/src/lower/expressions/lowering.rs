@@ -13,7 +13,7 @@ use crate::syntax::{Expression, Kind};
 
 use super::scope::Value;
 use super::scope::{Members, Scope};
-use super::written::{axis_meant, short};
+use super::written::{ONE_NUMBER, across_the_plane, axis_meant, short};
 
 /// Messages that several places use.
 pub const AXES: &str = "in which axes? write `body(..)` or `world(..)` in front of the parentheses";
@@ -97,6 +97,9 @@ impl Lowering<'_> {
                 format!("{what} is a scalar, and this has {count} components"),
             );
         }
+        if let Some(vector) = across_the_plane(expression).filter(|_| self.motion.is_planar) {
+            return self.report(vector.extent, format!("{what} {ONE_NUMBER}"));
+        }
         let value = match &expression.kind {
             Kind::Name(name) if !self.members.has(&name.to_string()) => self.name(name, dimension),
             _ => self.value(expression),
@@ -128,6 +131,14 @@ impl Lowering<'_> {
             }
             Value::Vector(_, found) | Value::Components(_, _, found) => {
                 self.mismatch(expression, dimension, found, what)
+            }
+            Value::Scalar(_, found)
+                if found == Dimension::MOMENT && dimension == Dimension::FORCE =>
+            {
+                self.report(
+                    expression.extent,
+                    format!("{what} is a vector, and this is a moment: moments stand in `moments`"),
+                )
             }
             Value::Scalar(..) => {
                 let text = short(expression);
@@ -368,15 +379,6 @@ impl Lowering<'_> {
                 arguments.len()
             ),
         )
-    }
-
-    pub fn check_unitless(&mut self, found: Dimension, place: Extent) -> Option<()> {
-        if found.is_known() {
-            let found = found.described();
-            let message = format!("the value is {found} already: leave this unit out");
-            return self.report(place, message);
-        }
-        Some(())
     }
 }
 

@@ -66,6 +66,15 @@ impl Lowering<'_> {
                 None => self.part_of_body(body, word),
             });
         }
+        if named == self.scope.name && !members.has(&named) && self.scope.look_up(&named).is_none()
+        {
+            let message = if members.is_system() {
+                format!("`{named}` is the whole system: write the name of a body or a joint")
+            } else {
+                format!("`{named}` is this body: leave `{named}.` out")
+            };
+            return Some(self.report(name.span(), message));
+        }
         let Some(joint) = members.joint(&named) else {
             let is_missing = self.is_missing(&named);
             return is_missing.then(|| self.errors.undefined(name, &missing_member(name)));

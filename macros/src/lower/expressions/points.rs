@@ -1,9 +1,9 @@
 //! Points, and the components of points and vectors.
 
-use crate::errors::{Extent, every};
+use crate::errors::{Extent, every, hint};
 use crate::model::{Dimension, Drawn, Frame, FrameWord, Point};
 use crate::symbolic::Components;
-use crate::syntax::{Expression, Kind};
+use crate::syntax::{Expression, Kind, key_meant};
 
 use super::lowering::{Lowering, UNKNOWN};
 use super::scope::Value;
@@ -17,6 +17,7 @@ impl Lowering<'_> {
         if let Some((components, found)) = self.tuple(expression)? {
             return self.fixed_point(self.state.body, components, found, expression);
         }
+        self.check_point_is_known(expression)?;
         match self.value(expression)? {
             Value::Point(point) => Some(point),
             Value::Components(frame, components, found) => {
@@ -169,6 +170,30 @@ impl Lowering<'_> {
                 parts.len()
             ),
         )
+    }
+
+    /// Reports the name of a point that is not defined.
+    fn check_point_is_known(&mut self, expression: &Expression) -> Option<()> {
+        let Kind::Name(name) = &expression.kind else {
+            return Some(());
+        };
+        let word = name.to_string();
+        let is_known = self.is_whole
+            || self.members.has(&word)
+            || self.scope.look_up(&word).is_some()
+            || self.scope.known().any(|known| known == word)
+            || key_meant(&word).is_some()
+            || !hint(&word, self.scope.known()).is_empty();
+        if is_known {
+            return Some(());
+        }
+        let place = if self.motion.is_planar {
+            "(0.1, 0)"
+        } else {
+            "(0.1, 0, 0)"
+        };
+        let advice = format!("; declare it, as in `points: [{word} = {place}]`");
+        self.errors.undefined(name, &advice)
     }
 
     /// The components of a vector: as many as the motion has axes, all of one dimension.

@@ -68,6 +68,8 @@ const CHANGING: [&str; 9] = [
 /// What the names of a description mean.
 #[derive(Clone)]
 pub struct Scope {
+    /// The name of the description.
+    pub name: String,
     /// `None` stands for a known name without a value, which is reported.
     values: HashMap<String, Option<Value>>,
     used: HashSet<String>,
@@ -100,10 +102,15 @@ impl Scope {
         let foreign = description.foreign().map(|(name, _)| name.to_string());
         let defined = definitions.map(|definition| definition.name.to_string());
         let locals = description.locals.iter();
+        let defined: HashSet<String> = declared.chain(defined).chain(foreign).collect();
+        // a rate of no state is reported
+        let rates = description.rates.iter().map(|rate| rate.name.to_string());
+        let stateless = rates.filter(|name| !defined.contains(name));
         Self {
-            values: HashMap::new(),
+            name: description.name.to_string(),
+            values: stateless.map(|name| (name, None)).collect(),
             used: HashSet::new(),
-            defined: declared.chain(defined).chain(foreign).collect(),
+            defined,
             lost: description.lost.iter().cloned().chain(repeated).collect(),
             constraints: kept
                 .map(|one| (one.name.to_string(), Kept::Unread))

@@ -2,12 +2,14 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::{Errors, hint};
+use crate::errors::{Errors, Extent, hint};
 use crate::fraction::Fraction;
 use crate::model::{Dimension, Unit};
 use crate::symbolic::{Function, Number};
-use crate::syntax::UnitExpression;
-use crate::units::{ANGLES, CUSTOMARY, METRIC, PREFIXES, SPELT_OUT, unit_and_exponent};
+use crate::syntax::{BUILT_IN, Expression, Kind, Operator, Prefix, Step, UnitExpression};
+use crate::units::{ANGLES, CUSTOMARY, METRIC, PREFIXES, SPELT_OUT, is_unit, unit_and_exponent};
+
+use super::lowering::Lowering;
 
 /// The factor that converts a unit to SI units, and its dimension. Unknown names are reported.
 pub fn lower_unit(unit: &UnitExpression, errors: &mut Errors) -> Option<(Number, Dimension)> {
@@ -56,6 +58,63 @@ pub fn in_radians(unit: &UnitExpression) -> UnitExpression {
     unit
 }
 
+impl Lowering<'_> {
+    /// Reports a unit that is written as factors behind a number: `0.1 * kg * m`, `9.81 * m / s ^ 2`.
+    pub fn check_brackets_of_unit(&mut self, first: &Expression, rest: &[Step]) -> Option<()> {
+        let number = match &first.kind {
+            Kind::Prefix(Prefix::Minus, number) => number,
+            _ => first,
+        };
+        let Kind::Number(digits) = &number.kind else {
+            return Some(());
+        };
+        let mut written = String::new();
+        let mut place = None;
+        for step in rest {
+            let (sign, word) = match (step.operator, &step.operand.kind) {
+                (Operator::Multiply, Kind::Name(unit)) if self.is_only_unit(unit) => {
+                    (if place.is_some() { " * " } else { "" }, unit.to_string())
+                }
+                (Operator::Divide, Kind::Name(unit)) if self.is_only_unit(unit) => (
+                    if place.is_some() { " / " } else { "1 / " },
+                    unit.to_string(),
+                ),
+                (Operator::Power, Kind::Number(exponent)) if place.is_some() => {
+                    (" ^ ", exponent.clone())
+                }
+                _ => break,
+            };
+            written.extend([sign, &word]);
+            let unit = step.operand.extent;
+            place = Some(place.map_or(unit, |place: Extent| place.to(unit)));
+        }
+        let Some(place) = place else {
+            return Some(());
+        };
+        let message = format!("a unit stands in brackets: write `{digits}[{written}]`");
+        self.report(place, message)
+    }
+
+    pub fn check_unitless(&mut self, found: Dimension, place: Extent) -> Option<()> {
+        if found.is_known() {
+            let found = found.described();
+            let message = format!("the value is {found} already: leave this unit out");
+            return self.report(place, message);
+        }
+        Some(())
+    }
+
+    /// Whether a name is a unit and nothing else.
+    fn is_only_unit(&self, name: &Ident) -> bool {
+        let word = name.to_string();
+        let is_name = BUILT_IN.contains(&word.as_str())
+            || self.members.has(&word)
+            || self.scope.knows(&word)
+            || self.scope.is_lost(&word);
+        is_unit(&word) && !is_name
+    }
+}
+
 /// The message for an impossible dimension.
 pub const TOO_LARGE: &str =
     "this has a unit with an exponent beyond 1000, or with a fraction of larger numbers";
@@ -71,11 +130,19 @@ fn raised(
     Some((factor, dimension.power(exponent)?))
 }
 
+/// The sign for a millionth, as two characters.
+const MICRO: [char; 2] = ['\u{b5}', '\u{3bc}'];
+
 /// A suggestion for an unknown unit, if there is one.
 fn advice(word: &str) -> String {
     let lower = word.to_lowercase();
     let singular = lower.strip_suffix('s').unwrap_or(&lower);
     if let Some((_, unit)) = SPELT_OUT.iter().find(|(name, _)| *name == singular) {
+        return format!(": write `{unit}`");
+    }
+    if let Some(unit) = word.strip_prefix(MICRO).map(|unit| format!("u{unit}"))
+        && look_up(&unit).is_some()
+    {
         return format!(": write `{unit}`");
     }
     if singular.len() > 1 && word.ends_with('s') {

@@ -165,6 +165,28 @@ pub fn axis_meant(expression: &Expression, axes: usize) -> Option<String> {
     Some(parts.collect::<Vec<_>>().join(", "))
 }
 
+/// The end of a message about such a vector in place of a number.
+pub const ONE_NUMBER: &str = "is one number in the plane: write the last component alone";
+
+/// The vector of three components that an expression is, or that is a factor of it: `body(0, 0, m)`.
+pub fn across_the_plane(expression: &Expression) -> Option<&Expression> {
+    match &expression.kind {
+        Kind::Call(word, parts) | Kind::Method(_, word, parts)
+            if (word == "body" || word == "world") && parts.len() == 3 =>
+        {
+            Some(expression)
+        }
+        Kind::Unit(inner, _) | Kind::Prefix(Prefix::Minus, inner) => across_the_plane(inner),
+        Kind::Chain(first, rest) => {
+            let are_factors = rest.iter().all(|step| step.operator == Operator::Multiply);
+            let mut factors =
+                core::iter::once(&**first).chain(rest.iter().map(|step| &step.operand));
+            factors.find_map(across_the_plane).filter(|_| are_factors)
+        }
+        _ => None,
+    }
+}
+
 /// The text of an expression that is a name, a number, or a part of one.
 pub fn short(expression: &Expression) -> Option<String> {
     match &expression.kind {

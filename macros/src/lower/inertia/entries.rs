@@ -77,7 +77,13 @@ impl Lowering<'_> {
         let mut rows = [self.work.graph.zeros(); 3];
         let mut entries = Vec::new();
         let mut complete = true;
+        let is_odd = |field: &(Ident, Expression)| entry_meant(&field.0.to_string()).is_some();
+        let first_odd = fields.iter().position(is_odd);
         for (index, (name, value)) in fields.iter().enumerate() {
+            // letters in front of the names are one mistake
+            if first_odd.is_some_and(|first| first < index) && is_odd(&fields[index]) {
+                continue;
+            }
             let Some((row, column)) = self.place_of_entry(name) else {
                 complete = false;
                 continue;
@@ -138,6 +144,10 @@ impl Lowering<'_> {
         if let Some(place) = place(&word) {
             return Some(place);
         }
+        if let Some(meant) = entry_meant(&word) {
+            let message = format!("no entry is called `{word}`: write `{meant}`");
+            return self.report(name.span(), message);
+        }
         let hint = match place(&reversed) {
             Some(_) => format!(": the matrix is symmetric, write `{reversed}`"),
             None => String::new(),
@@ -149,4 +159,12 @@ impl Lowering<'_> {
             ),
         )
     }
+}
+
+/// The entry that a name such as `Ixx` or `J_xy` means.
+fn entry_meant(word: &str) -> Option<&'static str> {
+    let axes = word.trim_start_matches(['I', 'i', 'J', 'j']);
+    let axes = axes.trim_start_matches('_');
+    let mut names = ENTRIES.iter().map(|(entry, ..)| *entry);
+    names.find(|entry| *entry == axes && axes != word)
 }

@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::similar;
+use crate::errors::{similar, solid_meant};
 use crate::lower::expressions::{Lowering, base, is_of_solid, lower_unit, written_motion};
 use crate::model::{Defaults, Dimension, Inertia, Mass, is_solid, words};
 use crate::symbolic::Id;
@@ -131,7 +131,9 @@ impl Lowering<'_> {
                 "a point has no inertia about itself: points are parts of `compose([..])`",
             ),
             Kind::Poisoned => None,
-            Kind::Call(word, parts) if self.motion.is_line() => self.no_form(word, parts),
+            Kind::Call(word, parts) if self.motion.is_line() || self.means_solid(word) => {
+                self.no_form(word, parts)
+            }
             _ if self.motion.has_one_moment() => {
                 let moment = self.scalar(written, Dimension::INERTIA, "the inertia about G")?;
                 Some(Draft {
@@ -197,16 +199,26 @@ impl Lowering<'_> {
         }
     }
 
+    /// Whether an unknown word is probably meant as a solid.
+    fn means_solid(&self, word: &Ident) -> bool {
+        let word = word.to_string();
+        let is_meant = solid_meant(&word).is_some() || similar(&word, words()).is_some();
+        is_meant && !self.scope.knows(&word)
+    }
+
     fn no_form(&mut self, word: &Ident, parts: &[Expression]) -> Option<Draft> {
         self.visit(parts);
         let forms = if self.motion.is_line() {
             FORMS_OF_ROD
+        } else if self.motion.has_one_moment() {
+            FORMS_IN_PLANE
         } else {
             FORMS
         };
+        let written = word.to_string();
         self.report(
             word.span(),
-            match similar(&word.to_string(), words()) {
+            match solid_meant(&written).or_else(|| similar(&written, words())) {
                 Some(meant) => format!("`{word}` is no form of inertia; did you mean `{meant}`?"),
                 None => format!("`{word}` is no form of inertia: {forms}"),
             },
@@ -240,6 +252,9 @@ pub const CONSTANT: &str = "the inertia is constant in body axes";
 pub const FORMS: &str = "write `principal(a, b, c)`, `tensor { xx, yy, zz, xy, yz, zx }`, \
                          `products { .. }` or a solid such as `cylinder(r, h)`; `tensor` and \
                          `products` differ in the sign of the off-diagonals";
+
+const FORMS_IN_PLANE: &str =
+    "write one number such as `0.1[kg * m ^ 2]`, or a solid such as `disc(r)`";
 
 /// Whether `expression` contains one of the forms of inertia.
 fn has_form(expression: &Expression) -> bool {

@@ -11,6 +11,7 @@ mod frames;
 mod joints;
 mod outline;
 mod potentials;
+mod read;
 mod reading;
 mod ties;
 
@@ -31,9 +32,10 @@ use reading::reader::Reader;
 
 pub use drives::targets;
 pub use outline::outline_system;
+pub use read::read_system;
 
 /// Gives a description of a system its meaning. `None` if there was any error.
-pub fn lower_system(
+fn lower_system(
     system: &syntax::System,
     outline: &mut Outline,
     errors: &mut Errors,

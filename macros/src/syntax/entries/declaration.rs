@@ -3,12 +3,12 @@
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
 use super::definition::parse_value;
-use crate::errors::{Errors, silently};
+use crate::errors::Errors;
 use crate::syntax::Declaration;
 use crate::syntax::bare_unit::{BareUnit, is_unit_word};
+use crate::syntax::brackets::written_unit;
 use crate::syntax::tokens::{is_punct, start, stream};
 use crate::syntax::unit::UnitExpression;
-use crate::units::is_unit;
 
 pub fn parse_declaration(
     name: Ident,
@@ -54,13 +54,18 @@ pub fn parse_declaration(
             let refused = unit.is_none();
             (unit, refused.then_some(None))
         }
-        [TokenTree::Punct(colon), unit @ ..] if key != "params" && colon.as_char() == ':' => {
+        [TokenTree::Punct(colon), unit @ ..]
+            if colon.as_char() == ':' && (key != "params" || !begins_value(unit)) =>
+        {
             let message = match unit_meant(unit) {
                 Some(unit) => format!("write `{name}[{unit}]`: a unit stands in brackets"),
                 None if key == "inputs" => format!(
                     "an input has no type: write `{name}[unit]` for a scalar, or \
                      `{name} = world(_, _, _)[unit]` for a vector"
                 ),
+                None if key == "params" => {
+                    format!("a param has no type: write `{name}[unit]`, or `{name} = 1[unit]`")
+                }
                 None => format!("a state has no type: write `{name}[unit]`"),
             };
             errors.push(colon.span(), message);
@@ -93,6 +98,16 @@ pub fn parse_declaration(
         value,
         moving,
         order: 0,
+    }
+}
+
+/// Whether tokens begin a value, rather than a unit or a type.
+fn begins_value(tokens: &[TokenTree]) -> bool {
+    match tokens.first() {
+        Some(TokenTree::Ident(_)) => matches!(tokens.get(1), Some(TokenTree::Group(_))),
+        Some(TokenTree::Group(group)) => group.delimiter() != Delimiter::Bracket,
+        Some(_) => true,
+        None => false,
     }
 }
 
@@ -141,9 +156,5 @@ fn unit_meant(tokens: &[TokenTree]) -> Option<String> {
         [TokenTree::Group(group)] if group.delimiter() != Delimiter::Brace => group.clone(),
         _ => Group::new(Delimiter::Bracket, stream(tokens)),
     };
-    let unit = silently(|errors| UnitExpression::parse(&group, errors))?;
-    let mut words = unit.factors.iter().map(|(word, _)| word.to_string());
-    words
-        .all(|word| is_unit(&word))
-        .then(|| group.stream().to_string())
+    written_unit(&group)
 }

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Ident, TokenTree};
 
-use crate::errors::{Errors, similar};
+use crate::errors::{Errors, is_joint, similar};
 
 use super::charges::parse_charges;
 use super::declaration::parse_declaration;
@@ -16,7 +16,7 @@ use crate::syntax::Description;
 use crate::syntax::Load;
 use crate::syntax::Value;
 use crate::syntax::expression::{Expression, Kind};
-use crate::syntax::tokens::{is_punct, start};
+use crate::syntax::tokens::{after_sign, is_punct, start};
 use crate::syntax::words::check_name;
 
 /// Reads one entry of the list `key`. An entry without a name is dropped. An entry without a value
@@ -61,6 +61,13 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
             into.potentials.push(Definition { name, value });
         }
         "outputs" => {
+            if let [sign, TokenTree::Ident(switch)] = rest
+                && (switch == "true" || switch == "false")
+            {
+                let message = format!("an output is one word: write `{name}`");
+                errors.push(start(sign), message);
+                return;
+            }
             let is_value = |token: &&TokenTree| is_punct(token, '=') || is_punct(token, '.');
             if let Some(sign) = rest.first().filter(is_value) {
                 errors.push(
@@ -114,8 +121,9 @@ pub fn parse_name<'t>(
                 format!("every entry has a name: write `name = {word}(..)`"),
             )
         }
-        [TokenTree::Ident(word), TokenTree::Ident(name), ..]
-            if matches!(word.to_string().as_str(), "let" | "const" | "static") =>
+        [TokenTree::Ident(word), TokenTree::Ident(name), rest @ ..]
+            if matches!(word.to_string().as_str(), "let" | "const" | "static")
+                || !DECLARED.contains(&key) && after_sign(rest, '=').is_some() =>
         {
             errors.push(
                 word.span(),
@@ -124,11 +132,37 @@ pub fn parse_name<'t>(
             parse_name(into, key, &entry[1..], errors)
         }
         [TokenTree::Ident(word), TokenTree::Punct(sign), ..]
-            if !DECLARED.contains(&key) && "+-*/.".contains(sign.as_char()) =>
+            if !DECLARED.contains(&key) && is_operator(sign.as_char(), &entry[1..]) =>
         {
-            let message = format!("every entry has a name: write `name = {word} {sign} ..`");
+            let doubled = if sign.as_char() == '=' { "=" } else { "" };
+            let message =
+                format!("every entry has a name: write `name = {word} {sign}{doubled} ..`");
             let message = message.replace(" . ..", "...");
             errors.report(word.span(), message)
+        }
+        [TokenTree::Ident(word), TokenTree::Ident(name), ..]
+            if word == "moving" && key == "inputs" =>
+        {
+            let message = "`.moving` stands at the end, as in `u[N].moving`: move it there";
+            errors.push(word.span(), message);
+            let derivatives = ["rate", "acceleration"].map(|order| format!("{name}_{order}"));
+            into.lost.extend(derivatives);
+            parse_name(into, key, &entry[1..], errors)
+        }
+        [
+            TokenTree::Ident(first),
+            TokenTree::Ident(second),
+            TokenTree::Group(group),
+            ..,
+        ] if group.delimiter() == Delimiter::Parenthesis && !DECLARED.contains(&key) => {
+            let (name, kind) = if is_joint(&first.to_string()) {
+                (second, first)
+            } else {
+                (first, second)
+            };
+            into.lost.push(name.to_string());
+            let message = format!("an entry is written with `=`: write `{name} = {kind}(..)`");
+            errors.report(second.span(), message)
         }
         [TokenTree::Ident(name), rest @ ..] => {
             let what = if key == "outputs" {
@@ -152,6 +186,16 @@ pub fn parse_name<'t>(
             "expected a name: an entry is written `name = ..`",
         ),
         [] => None,
+    }
+}
+
+/// Whether a sign behind the first word of an entry belongs to its value.
+fn is_operator(sign: char, tokens: &[TokenTree]) -> bool {
+    let is_arrow = matches!(tokens.get(1), Some(next) if is_punct(next, '>'));
+    match sign {
+        '=' => after_sign(tokens, '=').is_none() && !is_arrow,
+        '-' => !is_arrow,
+        _ => "+*/.<>&|!".contains(sign),
     }
 }
 

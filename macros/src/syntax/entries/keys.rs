@@ -1,9 +1,10 @@
 //! The keys of a body, and suggestions for unknown ones.
 
-use proc_macro2::Ident;
+use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenTree};
 
 use crate::errors::{Errors, foreign_key_meant, similar};
 use crate::syntax::Description;
+use crate::syntax::tokens::is_punct;
 
 /// Keys whose value is a list, each with an example entry.
 pub const LISTS: [(&str, &str); 18] = [
@@ -70,4 +71,49 @@ pub fn report_of_system(into: &mut Description, key: &Ident, errors: &mut Errors
         errors.push(key.span(), message);
     }
     into.keys.push(key.clone());
+}
+
+/// The braces behind a word that is no key, with or without a colon, if they hold keys.
+pub fn further_braces(rest: &[TokenTree]) -> Option<&Group> {
+    let group = match rest {
+        [TokenTree::Group(group)] => group,
+        [colon, TokenTree::Group(group)] if is_punct(colon, ':') => group,
+        _ => return None,
+    };
+    holds_keys(group).then_some(group)
+}
+
+/// Whether a group holds `key: value`.
+pub fn holds_keys(group: &Group) -> bool {
+    let mut tokens = group.stream().into_iter();
+    let first = tokens.next().as_ref().and_then(name_of);
+    let is_key = first.is_some_and(|word| key_meant(&word) == Some(&word));
+    is_key && tokens.next().is_some_and(|sign| is_punct(&sign, ':'))
+}
+
+/// The word that a token is.
+pub fn name_of(token: &TokenTree) -> Option<String> {
+    match token {
+        TokenTree::Ident(name) => Some(name.to_string()),
+        _ => None,
+    }
+}
+
+/// An entry of a list, as it would be written in brackets. In braces, which are reported, it may be
+/// `name: value`.
+pub fn bracketed_entry(list: &Group, mut entry: Vec<TokenTree>) -> Vec<TokenTree> {
+    let is_switch = |word: &TokenTree| matches!(word, TokenTree::Ident(word) if word == "true" || word == "false");
+    if let (Delimiter::Brace, [TokenTree::Ident(_), _, switch]) = (list.delimiter(), &entry[..])
+        && is_switch(switch)
+    {
+        entry.truncate(1);
+    }
+    if let (Delimiter::Brace, [TokenTree::Ident(_), sign, ..]) = (list.delimiter(), &mut entry[..])
+        && is_punct(sign, ':')
+    {
+        let mut equals = Punct::new('=', Spacing::Alone);
+        equals.set_span(sign.span());
+        *sign = TokenTree::Punct(equals);
+    }
+    entry
 }

@@ -14,7 +14,5 @@ pub use composition::{Composition, Part};
 pub use definition::parse_value;
 pub use entry::parse_name;
 pub use foreign::{Constant, Function};
-pub use keys::{key_meant, report_unknown};
-pub use parse::{
-    bracketed_entry, check_length, key_value, parse_description, parse_key, parse_keys,
-};
+pub use keys::{bracketed_entry, holds_keys, key_meant, report_unknown};
+pub use parse::{check_length, key_value, parse_description, parse_key, parse_keys};

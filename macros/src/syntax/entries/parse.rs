@@ -1,13 +1,16 @@
 //! From tokens to a [`Description`]: its head and its keys.
 
-use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
 use crate::errors::{Errors, Extent};
 
 use super::checks::parse_check;
 use super::composition::Composition;
 use super::entry::{parse_entry, parse_name};
-use super::keys::{LISTS, VALUES, is_of_systems, key_meant, report_of_system, report_unknown};
+use super::keys::{
+    LISTS, VALUES, bracketed_entry, further_braces, is_of_systems, key_meant, name_of,
+    report_of_system, report_unknown,
+};
 use crate::syntax::expression::Expression;
 use crate::syntax::head::parse_head;
 use crate::syntax::motion::parse_motion;
@@ -69,8 +72,12 @@ pub fn parse_key(
         return None;
     };
     let word = key.to_string();
-    let value = key_value(key, rest, errors);
     let meant = key_meant(&word);
+    if let (Some(group), None) = (further_braces(rest), meant) {
+        parse_further(into, key, group, errors);
+        return None;
+    }
+    let value = key_value(key, rest, errors);
     let exact = meant.is_some_and(|meant| meant == word);
     let repeated = into.keys.contains(key);
     if repeated && exact {
@@ -83,17 +90,6 @@ pub fn parse_key(
     }
     if is_of_systems(key) {
         report_of_system(into, key, errors);
-        return None;
-    }
-    if let ([TokenTree::Group(group)], None) = (value, meant)
-        && holds_keys(group)
-    {
-        let message = format!(
-            "the keys stand in the braces of `{}`: leave `{key}` and these braces out",
-            into.name
-        );
-        errors.push(group.span_open(), message);
-        parse_keys(into, group.stream(), errors);
         return None;
     }
     if !exact {
@@ -113,12 +109,22 @@ pub fn parse_key(
     parse_list(into, list, example, value, errors)
 }
 
-/// Whether a group holds `key: value`.
-fn holds_keys(group: &Group) -> bool {
-    let mut tokens = group.stream().into_iter();
-    let first = tokens.next().as_ref().and_then(name_of);
-    let is_key = first.is_some_and(|word| key_meant(&word) == Some(&word));
-    is_key && tokens.next().is_some_and(|sign| is_punct(&sign, ':'))
+/// Reports keys in further braces. They are read, unless they describe another body.
+fn parse_further(into: &mut Description, word: &Ident, group: &Group, errors: &mut Errors) {
+    if into.mass.is_some() || into.inertia.is_some() {
+        let message = format!(
+            "`{}` is one body: to describe `{word}` as well, write `rigid_system!`",
+            into.name
+        );
+        errors.push(word.span(), message);
+        return;
+    }
+    let message = format!(
+        "the keys stand in the braces of `{}`: leave `{word}` and these braces out",
+        into.name
+    );
+    errors.push(group.span_open(), message);
+    parse_keys(into, group.stream(), errors);
 }
 
 /// The first word of an entry, and the tokens after it.
@@ -178,7 +184,11 @@ pub fn key_value<'t>(key: &Ident, rest: &'t [TokenTree], errors: &mut Errors) ->
                 format!("a key is followed by a colon: write `{example}`"),
             );
             match value {
-                [second, value @ ..] if is_punct(second, sign.as_char()) => value,
+                [second, value @ ..]
+                    if is_punct(second, sign.as_char()) || is_punct(second, '>') =>
+                {
+                    value
+                }
                 _ => value,
             }
         }
@@ -262,19 +272,6 @@ fn is_name(token: &TokenTree) -> bool {
     name_of(token).is_some_and(|word| !is_keyword(&word))
 }
 
-/// An entry of a list, as it would be written in brackets. In braces, which are reported, it may be
-/// `name: value`.
-pub fn bracketed_entry(list: &Group, mut entry: Vec<TokenTree>) -> Vec<TokenTree> {
-    if let (Delimiter::Brace, [TokenTree::Ident(_), sign, ..]) = (list.delimiter(), &mut entry[..])
-        && is_punct(sign, ':')
-    {
-        let mut equals = Punct::new('=', Spacing::Alone);
-        equals.set_span(sign.span());
-        *sign = TokenTree::Punct(equals);
-    }
-    entry
-}
-
 /// Takes the documentation in front of a declaration, and returns the rest.
 fn take_texts<'t>(into: &mut Description, entry: &'t [TokenTree]) -> &'t [TokenTree] {
     let (mut rest, mut lines) = (entry, Vec::new());
@@ -329,6 +326,14 @@ fn parse_single(into: &mut Description, key: &str, value: &[TokenTree], errors: 
                 return;
             }
             into.inertia = match value.first() {
+                Some(TokenTree::Group(group))
+                    if group.delimiter() == Delimiter::Brace && begins_with_call(group) =>
+                {
+                    errors.push(group.span_open(), "leave these braces out");
+                    Some(Written {
+                        value: Expression::parse(group.stream(), errors),
+                    })
+                }
                 Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => {
                     errors.push(
                         group.span_open(),
@@ -345,6 +350,13 @@ fn parse_single(into: &mut Description, key: &str, value: &[TokenTree], errors: 
     }
 }
 
+/// Whether a group begins with `word(..)` or `word { .. }`.
+fn begins_with_call(group: &Group) -> bool {
+    let mut tokens = group.stream().into_iter();
+    let (first, second) = (tokens.next(), tokens.next());
+    first.as_ref().is_some_and(is_name) && matches!(second, Some(TokenTree::Group(_)))
+}
+
 /// The names that the entries of a list would define.
 fn names_in(value: &[TokenTree], errors: &mut Errors) -> Vec<String> {
     let [TokenTree::Group(group)] = value else {
@@ -354,13 +366,6 @@ fn names_in(value: &[TokenTree], errors: &mut Errors) -> Vec<String> {
         .iter()
         .filter_map(|entry| entry.first().and_then(name_of))
         .collect()
-}
-
-fn name_of(token: &TokenTree) -> Option<String> {
-    match token {
-        TokenTree::Ident(name) => Some(name.to_string()),
-        _ => None,
-    }
 }
 
 fn parse_doc(value: &[TokenTree], errors: &mut Errors) -> Vec<String> {

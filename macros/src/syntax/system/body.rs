@@ -1,12 +1,14 @@
 //! The bodies of a system, each in its braces.
 
-use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Span, TokenTree};
 use quote::format_ident;
 
 use crate::errors::{Errors, Extent, similar};
-use crate::syntax::entries::{key_meant, key_value, parse_keys, parse_name, parse_value};
+use crate::syntax::entries::{
+    holds_keys, key_meant, key_value, parse_keys, parse_name, parse_value,
+};
 use crate::syntax::expression::{Expression, Kind};
-use crate::syntax::tokens::{Entry, is_punct, split, start, stream, without_attributes};
+use crate::syntax::tokens::{Entry, comma, is_punct, split, start, stream, without_attributes};
 use crate::syntax::words::check_name;
 use crate::syntax::{Definition, Description};
 
@@ -43,14 +45,18 @@ impl System {
         if entry.is_empty() {
             return;
         }
-        let named = name_and_braces(entry, errors)
+        if self.parse_joint_among_bodies(entry, errors) {
+            return;
+        }
+        let named = name_inside(entry, errors)
+            .or_else(|| name_and_braces(entry, errors))
             .filter(|(name, _)| check_name(name, "the name of a body", errors).is_some());
         let Some((name, group)) = named else {
             self.has_lost_bodies = true;
             return;
         };
         let mut body = Description::new(name.clone(), self.top.runtime.clone());
-        let copies = self.parse_keys_of_body(&mut body, group, errors);
+        let copies = self.parse_keys_of_body(&mut body, &group, errors);
         if GROUNDS.iter().any(|word| name == word) && has_no_substance(&body) {
             let message = format!(
                 "`{name}` has no mass: if it is the ground, leave it out, and write its points as `world(..)`; a body \
@@ -82,7 +88,7 @@ impl System {
         let mut keys = Vec::new();
         for entry in split(group.stream(), Entry::Key, errors) {
             let [TokenTree::Ident(key), rest @ ..] = entry.as_slice() else {
-                keys.extend(entry.into_iter().chain([comma()]));
+                keys.extend(entry.into_iter().chain([comma(Span::call_site())]));
                 continue;
             };
             let word = key.to_string();
@@ -106,15 +112,18 @@ impl System {
                 let message = "the joints of a system say how its bodies move: leave `motion` out";
                 errors.push(key.span(), message);
             } else if OF_SYSTEMS.contains(&word.as_str()) {
+                self.parse_key_in_a_body(key, &entry, errors);
+            } else if key_meant(&word).is_none() && similar(&word, ["joints"]).is_some() {
                 let message = format!(
-                    "`{key}` belongs to the system: write it outside of the braces of its bodies"
+                    "there is no key `{key}`; joints stand outside of the braces of bodies, in `joints: [..]`"
                 );
                 errors.push(key.span(), message);
+                self.has_lost_joints = true;
             } else if LATER.contains(&word.as_str()) || key == "pole" {
                 let message = format!("`{key}` is not there yet in the bodies of a system");
                 errors.push(key.span(), message);
             } else {
-                keys.extend(entry.into_iter().chain([comma()]));
+                keys.extend(entry.into_iter().chain([comma(Span::call_site())]));
             }
         }
         parse_keys(body, keys.into_iter().collect(), errors);
@@ -133,57 +142,97 @@ impl System {
     }
 }
 
+/// The name of a body whose braces begin with `name: arm`, which is reported, and the braces without
+/// it.
+fn name_inside(entry: &[TokenTree], errors: &mut Errors) -> Option<(Ident, Group)> {
+    let Some(TokenTree::Group(group)) = entry.last() else {
+        return None;
+    };
+    let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+    let [
+        TokenTree::Ident(key),
+        colon,
+        TokenTree::Ident(name),
+        rest @ ..,
+    ] = tokens.as_slice()
+    else {
+        return None;
+    };
+    if key != "name" || !is_punct(colon, ':') {
+        return None;
+    }
+    let message =
+        format!("the name of a body stands in front of its braces: write `{name} {{ .. }}`");
+    errors.push(key.span(), message);
+    let rest = match rest {
+        [comma, rest @ ..] if is_punct(comma, ',') => rest,
+        _ => rest,
+    };
+    Some((name.clone(), Group::new(Delimiter::Brace, stream(rest))))
+}
+
 /// The name of a body, and its braces.
-fn name_and_braces<'t>(
-    entry: &'t [TokenTree],
-    errors: &mut Errors,
-) -> Option<(&'t Ident, &'t Group)> {
-    match entry {
+fn name_and_braces(entry: &[TokenTree], errors: &mut Errors) -> Option<(Ident, Group)> {
+    let (name, group) = match entry {
         [TokenTree::Ident(name), TokenTree::Group(group)] => {
             if group.delimiter() != Delimiter::Brace {
                 let message =
                     format!("a body is described in braces: write `{name} {{ mass: 1[kg], .. }}`");
                 errors.push(group.span_open(), message);
             }
-            Some((name, group))
+            (name, group)
         }
         [
             TokenTree::Ident(name),
             TokenTree::Punct(sign),
             TokenTree::Group(group),
-        ] => {
+        ] if group.delimiter() == Delimiter::Brace => {
             let message = format!(
                 "nothing stands between the name of a body and its braces: write `{name} {{ .. }}`"
             );
             errors.push(sign.span(), message);
-            Some((name, group))
+            (name, group)
+        }
+        [
+            TokenTree::Ident(name),
+            TokenTree::Punct(sign),
+            ..,
+            TokenTree::Group(group),
+        ] if entry.len() == 3 || holds_keys(group) => {
+            let message = format!("a body is a name and braces: write `{name} {{ .. }}`");
+            errors.push(sign.span(), message);
+            (name, group)
+        }
+        [
+            TokenTree::Ident(word),
+            TokenTree::Ident(name),
+            TokenTree::Group(group),
+        ] if holds_keys(group) => {
+            let message = format!("a body begins with its name: leave `{word}` out");
+            errors.push(word.span(), message);
+            (name, group)
         }
         [TokenTree::Ident(name), TokenTree::Group(group), extra, ..] => {
             errors.push(
                 start(extra),
                 format!("expected a comma behind the braces of `{name}`"),
             );
-            Some((name, group))
+            (name, group)
         }
         [TokenTree::Ident(name), ..] => {
             let message =
                 format!("a body is a name and a description: write `{name} {{ mass: 1[kg], .. }}`");
-            errors.report(name.span(), message)
+            return errors.report(name.span(), message);
         }
         _ => {
-            let place = entry
-                .first()
-                .map_or_else(proc_macro2::Span::call_site, start);
-            errors.report(
+            let place = entry.first().map_or_else(Span::call_site, start);
+            return errors.report(
                 place,
                 "expected the name of a body: `arm { mass: 1[kg], .. }`",
-            )
+            );
         }
-    }
-}
-
-fn comma() -> TokenTree {
-    TokenTree::Punct(Punct::new(',', Spacing::Alone))
+    };
+    Some((name.clone(), group.clone()))
 }
 
 /// `copies: [x = direction, ..]`

@@ -2,8 +2,8 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::{Errors, hint};
-use crate::syntax::expression::{Expression, Kind};
+use crate::errors::Errors;
+use crate::syntax::expression::Expression;
 
 use super::System;
 
@@ -63,39 +63,5 @@ impl System {
                 .extend(lost.iter().filter(|name| !own.contains(name)).cloned());
         }
         self.top.lost.extend(lost);
-    }
-
-    /// Whether the first vector in the description has two components.
-    fn looks_planar(&self) -> bool {
-        let points = self.bodies.iter().flat_map(|body| &body.points);
-        let points = points.filter_map(|point| point.value.as_ref());
-        let mut sizes = Vec::new();
-        for expression in self.written().chain(points) {
-            expression.visit(|part| match &part.kind {
-                Kind::Tuple(parts) => sizes.push(parts.len()),
-                Kind::Call(word, parts) if word == "world" || word == "body" => {
-                    sizes.push(parts.len());
-                }
-                _ => {}
-            });
-        }
-        sizes.first() == Some(&2)
-    }
-
-    /// Whether the system moves in the plane.
-    pub fn check_motion(&self, errors: &mut Errors) -> bool {
-        let Some(motion) = &self.top.motion else {
-            return false;
-        };
-        if motion.word == "planar" && motion.support.is_none() {
-            return true;
-        }
-        let written = motion.word.to_string();
-        let hint = hint(&written, ["planar"]);
-        errors.push(
-            motion.word.span(),
-            format!("a system moves in the plane, `motion: planar`, or in space: then leave `motion` out{hint}"),
-        );
-        !hint.is_empty() || self.looks_planar()
     }
 }

@@ -1,10 +1,13 @@
 //! A system: bodies, the joints between them, and their drives.
 
 mod body;
+mod definitions;
 mod drawing;
 mod file;
 mod frames;
 mod lost;
+mod misplaced;
+mod motion;
 mod outputs;
 
 pub use drawing::Center;
@@ -14,15 +17,15 @@ use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use crate::errors::{Errors, foreign_list_meant, similar};
 
 pub use file::{File, file_beside};
+pub use misplaced::parse_lone_body;
 
 use super::entries::{
-    bracketed_entry, check_length, key_meant, key_value, parse_key, parse_name, parse_value,
-    report_unknown,
+    bracketed_entry, check_length, holds_keys, key_meant, key_value, parse_key, report_unknown,
 };
-use super::expression::{Expression, call};
+use super::expression::Expression;
 use super::head::parse_head;
 use super::tokens::{Entry, is_punct, split, start, without_attributes};
-use super::{Definition, Description, Motion};
+use super::{Definition, Description};
 
 /// A whole description of a system.
 pub struct System {
@@ -53,6 +56,11 @@ pub struct System {
     /// Whether an entry that may have defined bodies, or joints, could not be read.
     pub has_lost_bodies: bool,
     pub has_lost_joints: bool,
+    /// What is wrong where it stands, which is reported: keys of bodies beside these, keys of the
+    /// system in them, a motion that no system has.
+    misplaced: Description,
+    /// The key that makes this a single body, described as a system.
+    lone: Option<Ident>,
 }
 
 /// A cable is written among the joints but is not one: it only pulls.
@@ -71,7 +79,7 @@ const LISTS: [(&str, &str); 6] = [
     ("moments", "load = moment(2[N * m]).on(upper)"),
 ];
 /// Keys that only bodies have.
-const OF_BODIES: [&str; 6] = [
+pub const OF_BODIES: [&str; 6] = [
     "mass",
     "inertia",
     "points",
@@ -106,8 +114,11 @@ const LATER: [&str; 2] = ["reactions", "independent"];
 pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> {
     check_length(&tokens, errors)?;
     let (top, body) = parse_head(tokens, errors)?;
+    let misplaced = Description::new(top.name.clone(), top.runtime.clone());
     let mut system = System {
         top,
+        misplaced,
+        lone: None,
         bodies: Vec::new(),
         joints: Vec::new(),
         cables: Vec::new(),
@@ -127,27 +138,15 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
     for entry in split(body, Entry::Key, errors) {
         system.parse_key(without_attributes(&entry, errors), errors);
     }
+    system.place_misplaced();
     system.read_file(errors);
+    system.lone = system.key_of_lone_body();
     system.check_bodies(errors);
     system.is_planar = system.check_motion(errors);
     system.take_centers(errors);
     system.take_frames();
     system.lose_names();
-    let word = if system.is_planar {
-        "planar"
-    } else {
-        "spatial"
-    };
-    for body in &mut system.bodies {
-        body.motion = Some(Motion {
-            word: Ident::new(word, body.name.span()),
-            support: None,
-        });
-    }
-    system.top.motion = Some(Motion {
-        word: Ident::new(word, system.top.name.span()),
-        support: None,
-    });
+    system.move_in(system.is_planar);
     Some(system)
 }
 
@@ -158,14 +157,11 @@ impl System {
             return;
         };
         let word = key.to_string();
-        if let Some(found) = outside(key, rest) {
-            return self.parse_outside(key, &found, errors);
+        if self.parse_outside(key, rest, errors) {
+            return;
         }
         if OF_BODIES.contains(&word.as_str()) {
-            errors.push(
-                key.span(),
-                format!("`{word}` belongs to a body: write it in the braces of one, in `bodies`"),
-            );
+            self.parse_key_of_bodies(key, entry, errors);
         } else if word == "reactions" {
             let message = "the loads that joints hold are an output: write `outputs: [reactions]`, or \
                            `outputs: [reactions(elbow)]` for those of one";
@@ -213,14 +209,17 @@ impl System {
         }
     }
 
-    /// Reports and reads what stands in braces outside of the lists.
-    fn parse_outside(&mut self, name: &Ident, found: &Outside<'_>, errors: &mut Errors) {
+    /// Reports and reads what stands in braces outside of the lists, if this is such a thing.
+    fn parse_outside(&mut self, name: &Ident, rest: &[TokenTree], errors: &mut Errors) -> bool {
+        let Some(found) = outside(name, rest) else {
+            return false;
+        };
         match found {
             Outside::Body(group) => {
                 let message =
                     format!("a body stands in `bodies`: write `bodies: [.., {name} {{ .. }}]`");
                 errors.push(name.span(), message);
-                let entry = [name.clone().into(), TokenTree::Group((*group).clone())];
+                let entry = [name.clone().into(), TokenTree::Group(group.clone())];
                 self.parse_body(&entry, errors);
             }
             Outside::Keys(group) => {
@@ -233,6 +232,21 @@ impl System {
                 }
             }
         }
+        true
+    }
+
+    /// Reports and reads a body in the list of joints, if the entry is one.
+    fn parse_body_among_joints(&mut self, entry: &[TokenTree], errors: &mut Errors) -> bool {
+        let [TokenTree::Ident(name), TokenTree::Group(group)] = entry else {
+            return false;
+        };
+        if group.delimiter() != Delimiter::Brace || !holds_keys(group) {
+            return false;
+        }
+        let message = format!("`{name}` is a body: move `{name} {{ .. }}` to `bodies`");
+        errors.push(name.span(), message);
+        self.parse_body(entry, errors);
+        true
     }
 
     fn parse_list(
@@ -265,30 +279,12 @@ impl System {
                 self.parse_body(entry, errors);
                 continue;
             }
-            let Some((name, rest)) = parse_name(&mut self.top, list, entry, errors) else {
-                self.has_lost_joints |= list == "joints";
+            if list == "joints" && self.parse_body_among_joints(entry, errors) {
                 continue;
-            };
-            let value = parse_value(&name, rest, errors);
-            let definition = Definition { name, value };
-            match list {
-                "joints" if is_called(&definition, CABLE) => self.cables.push(definition),
-                // a link carries nothing: it is a constraint
-                "joints" if is_called(&definition, LINK) => self.top.constraints.push(definition),
-                "joints" => self.joints.push(definition),
-                "drives" => self.drives.push(definition),
-                "locked" => self.locked.push(definition),
-                "forces" => self.forces.push(definition),
-                _ => self.moments.push(definition),
             }
+            self.parse_definition(list, entry, errors);
         }
     }
-}
-
-/// Whether a joint is `kind(..)`, with or without methods after it.
-fn is_called(joint: &Definition, kind: &str) -> bool {
-    let called = joint.value.as_ref().and_then(call);
-    called.is_some_and(|((word, _), _)| word == kind)
 }
 
 /// The list of a system for which a key of other programs, or an unknown one, is written: bodies are

@@ -1,0 +1,9 @@
+use newton_euler::rigid_body;
+
+rigid_body!(Stone {
+    motion: translation,
+    mass -> 1[kg],
+    doc => "A stone.",
+});
+
+fn main() {}

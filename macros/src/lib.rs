@@ -17,6 +17,7 @@ mod outputs;
 mod range;
 mod symbolic;
 mod syntax;
+mod text;
 mod units;
 
 /// Expands a description that follows the path of the runtime, which the macro of `newton-euler`

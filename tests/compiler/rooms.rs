@@ -11,13 +11,17 @@ use syn::punctuated::Punctuated;
 use syn::visit::Visit;
 
 /// What each room may import of the others.
-const ROOMS: [(&str, &[&str]); 15] = [
+const ROOMS: [(&str, &[&str]); 16] = [
     ("errors", &[]),
     ("families", &[]),
     ("fraction", &[]),
     ("units", &[]),
+    ("text", &[]),
     ("symbolic", &[]),
-    ("syntax", &["errors", "families", "fraction", "units"]),
+    (
+        "syntax",
+        &["errors", "families", "fraction", "units", "text"],
+    ),
     ("model", &["errors", "families", "fraction", "symbolic"]),
     (
         "lower",
@@ -29,7 +33,10 @@ const ROOMS: [(&str, &[&str]); 15] = [
     ("range", &["errors", "symbolic", "model"]),
     ("checks", &["errors", "symbolic", "model"]),
     ("editor", &["errors", "syntax", "model", "lower"]),
-    ("emit", &["families", "symbolic", "model", "mechanics"]),
+    (
+        "emit",
+        &["families", "symbolic", "model", "mechanics", "text"],
+    ),
     (
         "outputs",
         &[

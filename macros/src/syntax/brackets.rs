@@ -4,6 +4,7 @@
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenStream, TokenTree};
 
 use crate::errors::{Errors, silently};
+use crate::text::to_text;
 use crate::units::is_unit;
 
 use super::bare_unit::is_unit_word;
@@ -93,7 +94,7 @@ pub fn is_record(before: Option<&TokenTree>) -> bool {
 
 /// The arguments in a group without their names, unless they are long.
 fn values(group: &Group) -> String {
-    let written = without_names(group.stream()).to_string();
+    let written = to_text(&without_names(group.stream()));
     if written.chars().count() > ARGUMENTS {
         return "..".to_owned();
     }
@@ -141,7 +142,7 @@ pub fn written_unit(group: &Group) -> Option<String> {
     let mut words = unit.factors.iter().map(|(word, _)| word.to_string());
     words
         .all(|word| is_unit(&word))
-        .then(|| group.stream().to_string())
+        .then(|| to_text(&group.stream()))
 }
 
 fn is_called(word: &Ident) -> bool {

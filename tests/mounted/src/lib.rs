@@ -39,5 +39,7 @@ pub mod range;
 pub mod symbolic;
 #[path = "../../../macros/src/syntax/mod.rs"]
 pub mod syntax;
+#[path = "../../../macros/src/text.rs"]
+pub mod text;
 #[path = "../../../macros/src/units.rs"]
 pub mod units;

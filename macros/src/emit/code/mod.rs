@@ -23,5 +23,5 @@ pub use scalar::{Scalar, number_literal, private};
 pub use shapes::{Shapes, Values};
 pub use site::Site;
 pub use statements::Facts;
-pub use text::to_text;
+pub use text::code_text;
 pub use writer::{COMMON, Fields, Source, Told, Writer};

@@ -9,7 +9,7 @@ use crate::model::Meaning;
 use crate::symbolic::{Comparison, Cost, Function, Id, Node, Program};
 
 use super::block::Block;
-use super::text::to_text;
+use super::text::code_text;
 use super::writer::{Source, Writer};
 
 /// If there are more statements than `LONG`, their names are declared in groups of `GROUP`.
@@ -115,7 +115,7 @@ impl Writer<'_> {
         });
         let facts = Facts {
             symbols: symbols.collect(),
-            output_text: outputs.iter().map(to_text).collect(),
+            output_text: outputs.iter().map(code_text).collect(),
             cost: graph.cost(&program.nodes),
             has_notes: !block.noted.is_empty(),
             guards: Guards {
@@ -156,7 +156,7 @@ impl Block<'_> {
             let note = self.note(id, &name);
             text.extend(note.iter().map(|note| format!("# {note}")));
             let (left, right) = self.statement(id, name, program);
-            text.push(format!("{} = {}", to_text(&left), to_text(&right)));
+            text.push(format!("{} = {}", code_text(&left), code_text(&right)));
             let note = note.map(|note| format!(" {note}"));
             lines.push(Line { left, right, note });
         }

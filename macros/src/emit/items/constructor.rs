@@ -4,7 +4,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use crate::emit::code::{Fields, Names, PRINCIPAL_AXES, Told, Writer, local, to_text};
+use crate::emit::code::{Fields, Names, PRINCIPAL_AXES, Told, Writer, code_text, local};
 use crate::model::{AXES, Meaning, Outline, Property, Substance, Workspace};
 use crate::symbolic::{Cost, Id, Stage};
 
@@ -170,7 +170,7 @@ fn own_fields(outline: &Outline) -> TokenStream {
 fn constants_text(work: &Workspace) -> Vec<String> {
     let constants = work.constants.iter();
     constants
-        .map(|constant| format!("{} = {}", constant.name, to_text(&constant.value)))
+        .map(|constant| format!("{} = {}", constant.name, code_text(&constant.value)))
         .collect()
 }
 
@@ -181,7 +181,7 @@ fn let_fields(
     value_text: &[String],
 ) -> (TokenStream, Vec<String>) {
     let all = stored.iter().zip(values).zip(value_text);
-    let open = all.filter(|((name, value), _)| **name != to_text(value));
+    let open = all.filter(|((name, value), _)| **name != code_text(value));
     let both = open.map(|((name, value), text)| {
         let statement = quote!(let #name = #value;);
         (statement, format!("{name} = {text}"))

@@ -1,6 +1,7 @@
 //! Declarations of params, inputs and states: `arm = 0.2[m]`, `thrust[N]`.
 
-use proc_macro2::{Delimiter, Group, Ident, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+use quote::ToTokens;
 
 use super::definition::parse_value;
 use crate::errors::Errors;
@@ -9,6 +10,7 @@ use crate::syntax::bare_unit::{BareUnit, is_unit_word};
 use crate::syntax::brackets::written_unit;
 use crate::syntax::tokens::{is_punct, start, stream};
 use crate::syntax::unit::UnitExpression;
+use crate::text::to_text;
 
 pub fn parse_declaration(
     name: Ident,
@@ -139,8 +141,11 @@ fn parse_unit(
     let message = if let ("inputs", [_, value @ .., TokenTree::Group(parts)]) = (key, tail)
         && parts.stream().into_iter().any(|token| is_open(&token))
     {
-        let value = stream(value);
-        format!("a unit stands behind the components: write `{name} = {value}{parts}[{unit}]`")
+        let value: TokenStream = [stream(value), parts.to_token_stream()]
+            .into_iter()
+            .collect();
+        let value = to_text(&value);
+        format!("a unit stands behind the components: write `{name} = {value}[{unit}]`")
     } else if key == "inputs" {
         format!("an input has no value here: write `{name}[{unit}]`, or make it a param")
     } else {

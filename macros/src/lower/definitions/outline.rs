@@ -14,8 +14,8 @@ use crate::model::{Asked, Declared, Dimension, Joint, MOTIONS, Motion, Outline};
 use crate::symbolic::Number;
 use crate::syntax::{self, Declaration, Description, Expression, Kind, ROD, SUPPORTS};
 
-/// Outputs that later versions may have.
-const LATER: [&str; 2] = ["mass_matrix", "jacobian"];
+/// Outputs that systems have and bodies do not.
+const OF_SYSTEMS: [&str; 2] = ["mass_matrix", "jacobian"];
 
 /// The output that solves for drives. Without it, no drive may be unknown.
 pub const INVERSE: &str = "inverse";
@@ -219,9 +219,10 @@ fn check_outputs(
 }
 
 fn unknown_output(written: &str, offers: &[&'static Offer]) -> String {
-    if LATER.contains(&written) {
+    if OF_SYSTEMS.contains(&written) {
         return format!(
-            "`{written}` is part of the language, but this version does not have it yet"
+            "`{written}` is an output of systems: write the body in `bodies` of `rigid_system!`, on a joint such as \
+             `whole = free(body)`"
         );
     }
     let words = offers.iter().map(|offer| offer.word);

@@ -7,6 +7,7 @@ mod behind;
 mod between;
 mod constraints;
 mod drives;
+mod fields;
 mod frames;
 mod joints;
 mod outline;
@@ -41,6 +42,7 @@ fn lower_system(
     errors: &mut Errors,
 ) -> Option<(System, Workspace)> {
     let mut reader = Reader::new(system, outline, errors);
+    fields::check_fields(system, errors);
     reader.fixed(outline, errors);
     let mut wrong = HashSet::new();
     let mut drafts = reader.drafts(&mut wrong, errors);

@@ -12,7 +12,7 @@ use crate::syntax::tokens::{Entry, comma, is_punct, split, start, stream, withou
 use crate::syntax::words::check_name;
 use crate::syntax::{Definition, Description};
 
-use super::{LATER, OF_SYSTEMS, System};
+use super::{OF_SYSTEMS, System, no_choice_of_joints};
 
 /// Names that other programs and textbooks give to the ground.
 const GROUNDS: [&str; 6] = ["ground", "base", "base_link", "floor", "wall", "earth"];
@@ -119,9 +119,16 @@ impl System {
                 );
                 errors.push(key.span(), message);
                 self.has_lost_joints = true;
-            } else if LATER.contains(&word.as_str()) || key == "pole" {
-                let message = format!("`{key}` is not there yet in the bodies of a system");
+            } else if key == "pole" {
+                let message =
+                    "the balances of the bodies of a system are about G: leave `pole` out";
                 errors.push(key.span(), message);
+            } else if key == "reactions" {
+                let message = "what joints do to a body is an output of the system: leave `reactions` out, and write \
+                               `outputs: [reactions]`";
+                errors.push(key.span(), message);
+            } else if key == "independent" {
+                no_choice_of_joints(key, errors);
             } else {
                 keys.extend(entry.into_iter().chain([comma(Span::call_site())]));
             }

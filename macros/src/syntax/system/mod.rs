@@ -107,8 +107,6 @@ const OF_SYSTEMS: [&str; 17] = [
     "locked",
     "checks",
 ];
-/// Keys of systems that are planned but do not exist yet.
-const LATER: [&str; 2] = ["reactions", "independent"];
 
 /// Parses `(runtime) Name { key: value, .. }` of a system.
 pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> {
@@ -166,11 +164,8 @@ impl System {
             let message = "the loads that joints hold are an output: write `outputs: [reactions]`, or \
                            `outputs: [reactions(elbow)]` for those of one";
             errors.push(key.span(), message);
-        } else if LATER.contains(&word.as_str()) {
-            errors.push(
-                key.span(),
-                format!("`{word}` is part of the language of systems, but this version does not have it yet"),
-            );
+        } else if word == "independent" {
+            no_choice_of_joints(key, errors);
         } else if let Some((list, example)) = list_meant(&word).or_else(|| list_like(&word, rest)) {
             let is_given = self.top.keys.iter().any(|other| {
                 list_meant(&other.to_string()).is_some_and(|(other, _)| other == list)
@@ -349,4 +344,10 @@ fn outside<'t>(key: &Ident, rest: &'t [TokenTree]) -> Option<Outside<'t>> {
         Some(first) if is_key(first) => Some(Outside::Keys(group)),
         _ => is_body.then_some(Outside::Body(group)),
     }
+}
+
+/// The independent joints of a loop are an affair of the compiler.
+fn no_choice_of_joints(key: &Ident, errors: &mut Errors) {
+    let message = "the state has all joints, and the compiler chooses which of a loop are independent: leave this out";
+    errors.push(key.span(), message);
 }

@@ -217,9 +217,9 @@ impl Reader<'_> {
                      spring beyond it in `potentials`"
                 );
             }
-            ("locked", _) => {
+            ("locked" | "fixed", _) => {
                 return format!(
-                    "`.{word}(..)` of a joint is part of the language, but this version does not have it yet"
+                    "a joint that never moves is a `weld(P, Q)`: leave `.{word}(..)` out"
                 );
             }
             (_, true) => {

@@ -14,7 +14,10 @@ rigid_system!(Pendulum {
         shoulder = revolute(world(0, 0), upper.hinge),
         elbow = revolute(upper.tip, lower.hinge),
     ],
-    independent: [shoulder],
+    fields: [
+        weight_of_upper = upper.mass * world(0, -9.81[m / s ^ 2]),
+        attraction = mass * (1[m ^ 3 / s ^ 2 / kg] * upper.mass * world(0, 1)[m / s ^ 2] / 1[m ^ 3 / s ^ 2]),
+    ],
 });
 
 fn main() {}

@@ -1,7 +1,7 @@
 //! A description as the compiler understands it.
 
 use mounted::errors::Errors;
-use mounted::lower::{lower_description, outline};
+use mounted::lower::read_body;
 use mounted::mechanics::{
     Equations, Flow, Structure, derive_equations, derive_flow, describe_equations, with_potentials,
 };
@@ -36,12 +36,8 @@ impl Compiled {
         let mut errors = Errors::default();
         let described = parse_description(tokens, &mut errors);
         let solved = described.and_then(|description| {
-            let mut outline = outline(
-                &description,
-                &offers::<mounted::model::Model>(),
-                &mut errors,
-            );
-            let (model, mut work) = lower_description(&description, &mut outline, &mut errors)?;
+            let (outline, read) = read_body(&description, &offers::<Model>(), &mut errors);
+            let (model, mut work) = read?;
             let model = with_potentials(model, &mut work);
             let (model, equations) = derive_equations(model, &mut work, &mut errors)?;
             derive_outputs(&outline, &model, &mut work, &equations, &mut errors)?;

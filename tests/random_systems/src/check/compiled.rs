@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use mounted::errors::Errors;
-use mounted::lower::{lower_system, outline, outline_system};
+use mounted::lower::read_system;
 use mounted::mechanics::{
     Balance, Consistency, Energy, Inertias, Jacobian, Linearization, Momentum, Regressor,
     SystemEquations, derive_inertias, derive_jacobians, derive_system, derive_system_balances,
@@ -113,10 +113,9 @@ impl Compiled {
     }
 
     fn derive(tokens: TokenStream, errors: &mut Errors) -> Option<Self> {
-        let description = parse_system(tokens, errors)?;
-        let mut outline = outline(&description.top, &offers::<System>(), errors);
-        outline_system(&description, &mut outline);
-        let (system, mut work) = lower_system(&description, &mut outline, errors)?;
+        let mut description = parse_system(tokens, errors)?;
+        let (outline, read) = read_system(&mut description, &offers::<System>(), errors);
+        let (system, mut work) = read?;
         let mut system = with_system_potentials(system, &mut work);
         let equations = derive_system(&system, &mut work);
         let is_tree = system.is_tree();

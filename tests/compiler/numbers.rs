@@ -357,3 +357,72 @@ fn undecided_numbers_are_cheap() {
     // the first takes some milliseconds; all the others took as long
     assert!(start.elapsed().as_secs() < 5, "{:?}", start.elapsed());
 }
+
+fn of(function: Function, arguments: &[Number]) -> Number {
+    Number::apply(function, arguments).expect("in the domain")
+}
+
+/// Sines and cosines of multiples and sums of angles by their tangents, sines or cosines are exact.
+#[test]
+fn angles_by_their_tangents_have_algebraic_sines() {
+    let integer = Number::integer;
+    for [w, v] in [
+        ["0.8", "0.6"],
+        ["0.6", "0.8"],
+        ["0.7", "0.1"],
+        ["-0.8", "0.6"],
+        ["1", "-3"],
+    ] {
+        let [w, v] = [w, v].map(parse);
+        let size = w.clone() * w.clone() + v.clone() * v.clone();
+        let half = of(Function::Atan2, &[v.clone(), w.clone()]);
+        for turn in [
+            integer(2) * half.clone(),
+            integer(2) * half.clone() + integer(2) * Number::pi(),
+            half.clone() + half.clone(),
+            (half.clone() * integer(6)) / integer(3),
+        ] {
+            let cosine = (w.clone() * w.clone() - v.clone() * v.clone()) / size.clone();
+            let sine = integer(2) * w.clone() * v.clone() / size.clone();
+            assert_eq!(of(Function::Cos, &[turn.clone()]), cosine);
+            assert_eq!(of(Function::Sin, &[turn]), sine);
+        }
+        // of the angle itself: with a root
+        let root = of(Function::Sqrt, &[size]);
+        let (cosine, sine) = (
+            of(Function::Cos, &[half.clone()]),
+            of(Function::Sin, &[half.clone()]),
+        );
+        assert_eq!(cosine * root.clone(), w);
+        assert_eq!(sine * root, v);
+        // with a quarter of a turn
+        let on = half.clone() + Number::pi() / integer(2);
+        assert_eq!(of(Function::Sin, &[on]), of(Function::Cos, &[half]));
+    }
+    for c in ["0.8", "-0.3", "0.123", "0.96"] {
+        let c = parse(c);
+        let turn = of(Function::Acos, &[c.clone()]);
+        assert_eq!(of(Function::Cos, &[turn.clone()]), c);
+        let twice = of(Function::Cos, &[integer(2) * turn.clone()]);
+        assert_eq!(twice, integer(2) * c.clone() * c.clone() - integer(1));
+        let third = of(Function::Cos, &[integer(3) * turn.clone()]);
+        assert_eq!(
+            third,
+            integer(4) * c.clone() * c.clone() * c.clone() - integer(3) * c.clone()
+        );
+        let turn = of(Function::Asin, &[c.clone()]);
+        assert_eq!(of(Function::Sin, &[turn.clone()]), c);
+        assert_eq!(of(Function::Sin, &[-turn]), -c);
+    }
+    // sums of different angles
+    let [a, b] = ["0.5", "0.25"].map(|tangent| of(Function::Atan, &[parse(tangent)]));
+    let sum = of(Function::Tan, &[integer(2) * (a.clone() + b.clone())]);
+    let tangent = parse("0.75") / parse("0.875");
+    let expected = integer(2) * tangent.clone() / (integer(1) - tangent.clone() * tangent);
+    assert_eq!(sum, expected);
+    // right angles that half an angle passes
+    let half = of(Function::Atan, &[integer(1)]);
+    assert_eq!(of(Function::Cos, &[integer(4) * half]), integer(-1));
+    let three_quarters = of(Function::Atan2, &[integer(4), integer(3)]) * integer(2) + Number::pi();
+    assert_eq!(of(Function::Cos, &[three_quarters]), parse("0.28"));
+}

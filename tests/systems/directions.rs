@@ -1,6 +1,6 @@
 //! Directions in the axes of a rotated body, of its carrier, and of the ground.
 
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 use newton_euler::prelude::*;
 
 use super::compare::{Random, link, principal};
@@ -114,4 +114,52 @@ rigid_system!(Rail {
 fn a_turned_sled_slides_along_the_rail_of_the_ground() {
     let found = Rail::default().acceleration(0.0, &RailState::default(), &());
     assert!((found.rail - 3.0).abs() < 1e-15);
+}
+
+macro_rules! turned_ball {
+    ($name:ident, $angle:expr) => {
+        rigid_system!($name {
+            bodies: [
+                arm {
+                    mass: 0[kg],
+                    points: [end = (0.2, 0, 0)[m]]
+                },
+                frame { mass: 0[kg] },
+                ball {
+                    mass: 0.2[kg],
+                    inertia: principal(0.002, 0.003, 0.004)[kg * m ^ 2],
+                    points: [pin = (-0.01, 0, 0)[m]],
+                },
+            ],
+            joints: [
+                shoulder = revolute(world(0, 0, 0), arm.G, body(0, 0, 1)),
+                seat = weld(arm.end, frame.G).turned(body(1, 2, 2), $angle),
+                socket = spherical(frame.G, ball.pin),
+            ],
+            fields: [weight = mass * world(0, -9.81[m / s ^ 2], 0)],
+        });
+    };
+}
+
+turned_ball!(ByCosine, 2 * 0.8.acos());
+turned_ball!(ByDegrees, 73.73979529168804[deg]);
+
+/// The turn is exact: an entry of its matrix is zero, which only an identity proves.
+#[test]
+fn a_turn_by_its_cosine_is_that_by_its_angle() {
+    let (shoulder, socket) = (
+        Hinge {
+            angle: 0.7,
+            angular_velocity: -1.3,
+        },
+        Rotation {
+            attitude: UnitQuaternion::from_euler_angles(0.4, -0.2, 1.1),
+            angular_velocity: [0.5, -2.0, 1.5].into(),
+        },
+    );
+    let found = ByCosine::default().acceleration(0.0, &ByCosineState { shoulder, socket }, &());
+    let expected =
+        ByDegrees::default().acceleration(0.0, &ByDegreesState { shoulder, socket }, &());
+    assert!((found.shoulder - expected.shoulder).abs() < 1e-11 * expected.shoulder.abs());
+    assert!((found.socket - expected.socket).norm() < 1e-11 * expected.socket.norm());
 }

@@ -243,6 +243,11 @@ impl Number {
         self.residue() == other.residue() && difference().may_be_zero()
     }
 
+    /// How it is computed, if it is not rational.
+    pub(super) fn term(&self) -> Option<&Term> {
+        Some(&self.known()?.term)
+    }
+
     fn known(&self) -> Option<&Irrational> {
         match &self.kind {
             Kind::Irrational(known) => Some(known),

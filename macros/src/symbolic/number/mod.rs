@@ -1,5 +1,6 @@
 //! Exact numbers, irrational numbers, residues modulo a prime, and eigenvalues.
 
+mod angle;
 mod arithmetic;
 mod ball;
 mod eigen;

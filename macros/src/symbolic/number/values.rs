@@ -204,7 +204,10 @@ impl Number {
         match self.half_turns() {
             Some(turns) => sine_of_half_turns(turns + Self::ratio(1, 2)),
             None if self.is_zero() => Some(Self::one()),
-            None => self.abs().on_circle(Function::Cos),
+            None => match self.on_circle_by_tangent() {
+                Some([cosine, _]) => Some(cosine),
+                None => self.abs().on_circle(Function::Cos),
+            },
         }
     }
 
@@ -212,8 +215,11 @@ impl Number {
         match self.half_turns() {
             Some(turns) => sine_of_half_turns(turns),
             None if self.is_zero() => Some(Self::zero()),
-            None if self.is_negative() => Some(-(-self.clone()).on_circle(Function::Sin)?),
-            None => self.on_circle(Function::Sin),
+            None => match self.on_circle_by_tangent() {
+                Some([_, sine]) => Some(sine),
+                None if self.is_negative() => Some(-(-self.clone()).on_circle(Function::Sin)?),
+                None => self.on_circle(Function::Sin),
+            },
         }
     }
 

@@ -38,7 +38,11 @@ impl Lowering<'_> {
         inputs: &[Declared],
         first: usize,
     ) -> Option<Vec<(Constraint, Id)>> {
-        let constraints = self.constraints(description, inputs)?;
+        let Some(constraints) = self.constraints(description, inputs) else {
+            let names = description.constraints.iter().map(|written| &written.name);
+            names.for_each(|name| self.scope.define(&name.to_string(), None));
+            return None;
+        };
         let mut loads = Vec::new();
         for number in first..first + constraints.len() {
             let meaning = Meaning::Reaction(number, 0);

@@ -192,6 +192,12 @@ impl Lowering<'_> {
 
     /// What to write instead of a point where a vector is meant.
     fn instead(&self, value: Value, written: Option<&Expression>) -> String {
+        if matches!(value, Value::Carried(..)) {
+            let zero = if self.motion.is_planar { "" } else { ", 0" };
+            return format!(
+                ": name the point in the braces of its body, as in `points: [tip = G + body(0.1, 0{zero})]`"
+            );
+        }
         if !matches!(value, Value::Point(_)) {
             return String::new();
         }

@@ -39,7 +39,7 @@ impl Value {
             Self::Vector(..) | Self::Components(..) => "a vector",
             Self::Condition(_) => "a condition",
             Self::Point(_) => "a point",
-            Self::Carried(..) => "a point of another body",
+            Self::Carried(..) => "a point of a body",
             Self::Attitude => "the attitude",
             Self::Function(_) => "a function",
         }

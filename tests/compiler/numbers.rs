@@ -362,6 +362,11 @@ fn of(function: Function, arguments: &[Number]) -> Number {
     Number::apply(function, arguments).expect("in the domain")
 }
 
+/// The value of a function of one argument.
+fn at(function: Function, argument: &Number) -> Number {
+    of(function, std::slice::from_ref(argument))
+}
+
 /// Sines and cosines of multiples and sums of angles by their tangents, sines or cosines are exact.
 #[test]
 fn angles_by_their_tangents_have_algebraic_sines() {
@@ -384,15 +389,12 @@ fn angles_by_their_tangents_have_algebraic_sines() {
         ] {
             let cosine = (w.clone() * w.clone() - v.clone() * v.clone()) / size.clone();
             let sine = integer(2) * w.clone() * v.clone() / size.clone();
-            assert_eq!(of(Function::Cos, &[turn.clone()]), cosine);
+            assert_eq!(at(Function::Cos, &turn), cosine);
             assert_eq!(of(Function::Sin, &[turn]), sine);
         }
         // of the angle itself: with a root
         let root = of(Function::Sqrt, &[size]);
-        let (cosine, sine) = (
-            of(Function::Cos, &[half.clone()]),
-            of(Function::Sin, &[half.clone()]),
-        );
+        let (cosine, sine) = (at(Function::Cos, &half), at(Function::Sin, &half));
         assert_eq!(cosine * root.clone(), w);
         assert_eq!(sine * root, v);
         // with a quarter of a turn
@@ -401,8 +403,8 @@ fn angles_by_their_tangents_have_algebraic_sines() {
     }
     for c in ["0.8", "-0.3", "0.123", "0.96"] {
         let c = parse(c);
-        let turn = of(Function::Acos, &[c.clone()]);
-        assert_eq!(of(Function::Cos, &[turn.clone()]), c);
+        let turn = at(Function::Acos, &c);
+        assert_eq!(at(Function::Cos, &turn), c);
         let twice = of(Function::Cos, &[integer(2) * turn.clone()]);
         assert_eq!(twice, integer(2) * c.clone() * c.clone() - integer(1));
         let third = of(Function::Cos, &[integer(3) * turn.clone()]);
@@ -410,8 +412,8 @@ fn angles_by_their_tangents_have_algebraic_sines() {
             third,
             integer(4) * c.clone() * c.clone() * c.clone() - integer(3) * c.clone()
         );
-        let turn = of(Function::Asin, &[c.clone()]);
-        assert_eq!(of(Function::Sin, &[turn.clone()]), c);
+        let turn = at(Function::Asin, &c);
+        assert_eq!(at(Function::Sin, &turn), c);
         assert_eq!(of(Function::Sin, &[-turn]), -c);
     }
     // sums of different angles

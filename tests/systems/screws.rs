@@ -230,3 +230,24 @@ fn two_free_bodies_on_a_thread() {
         );
     }
 }
+
+rigid_system!(Bolt {
+    bodies: [bolt {
+        mass: 1[kg],
+        inertia: principal(0.1, 0.2, 0.3)[kg * m ^ 2],
+        points: [hole = (0.1, 0.4, 0.2)[m]],
+    },],
+    joints: [thread = screw(world(1, 0, 0), bolt.hole, body(0, 3, 4), 0.1)],
+});
+
+/// Along one twist from the ground, the inertia is constant: a velocity needs no load.
+#[test]
+fn a_bolt_turns_on_without_a_load() {
+    assert_eq!(Bolt::OPERATIONS[0].total(), 0);
+    let thread = Hinge {
+        angle: 0.3,
+        angular_velocity: 5.0,
+    };
+    let found = Bolt::default().acceleration(0.0, &BoltState { thread }, &());
+    assert!(found.thread.abs() < f64::MIN_POSITIVE);
+}

@@ -98,6 +98,16 @@ impl LinkMotion {
         Self::new(graph, self.w, acceleration)
     }
 
+    /// The same acceleration without velocity. Along a twist from the ground, a velocity `v` needs no
+    /// load along it: `v . (v x* I v) = 0`.
+    fn at_rest(&self, graph: &Graph) -> Self {
+        Self {
+            w: graph.zeros(),
+            sweep: [graph.zeros(); 3],
+            ..*self
+        }
+    }
+
     /// The moment about the origin and the force that this motion needs, which are linear in mass,
     /// first moment and inertia.
     pub fn taken_by(&self, graph: &mut Graph, properties: &Properties) -> SpatialVector {
@@ -185,7 +195,11 @@ pub fn derive_bias(
         let meaning = "S r = w' x r + w x (w x r): what an arm r adds to a";
         labels.explain(moving.sweep.concat(), meaning);
         labels.matrix(&format!("sweep_{}", link.name), &moving.sweep);
-        let taken = moving.taken_by(graph, &link.properties);
+        let taken = if link.moves_along_one_twist() {
+            moving.at_rest(graph).taken_by(graph, &link.properties)
+        } else {
+            moving.taken_by(graph, &link.properties)
+        };
         let lacking = taken.minus(graph, link.load());
         all.push((moving, lacking));
     }

@@ -95,6 +95,11 @@ impl Link {
         self.freedoms.iter().filter(|one| one.given.is_none())
     }
 
+    /// Whether it moves along one twist from the ground, which its joint leaves open.
+    pub fn moves_along_one_twist(&self) -> bool {
+        self.carrier.is_none() && self.freedoms.len() == 1 && self.open().count() == 1
+    }
+
     /// The loads on it except gravity.
     pub fn load(&self) -> SpatialVector {
         SpatialVector {

@@ -422,7 +422,12 @@ fn angles_by_their_tangents_have_algebraic_sines() {
     let tangent = parse("0.75") / parse("0.875");
     let expected = integer(2) * tangent.clone() / (integer(1) - tangent.clone() * tangent);
     assert_eq!(sum, expected);
-    // right angles that half an angle passes
+    // angles whose halves are right angles: 2 atan(3/4) + 2 atan(4/3) is half a turn
+    let tangents = [integer(3) / integer(4), integer(4) / integer(3)];
+    let [a, b] = tangents.map(|tangent| at(Function::Atan, &tangent));
+    let half_turn = integer(2) * (a + b);
+    assert_eq!(at(Function::Cos, &half_turn), integer(-1));
+    assert_eq!(at(Function::Sin, &half_turn), Number::zero());
     let half = of(Function::Atan, &[integer(1)]);
     assert_eq!(of(Function::Cos, &[integer(4) * half]), integer(-1));
     let three_quarters = of(Function::Atan2, &[integer(4), integer(3)]) * integer(2) + Number::pi();

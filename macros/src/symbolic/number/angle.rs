@@ -57,15 +57,14 @@ impl Angle {
         self
     }
 
-    /// The tangent of half the angle, if it is algebraic in the tangents and finite.
-    fn half_tangent(&self) -> Option<Number> {
+    /// A vector at half the angle, if it is algebraic in the tangents: the product of `1 + i tangent`
+    /// for each `atan(tangent)`, and of `1 + i` for each eighth of a turn.
+    fn half(&self) -> Option<[Number; 2]> {
         let eighths = (self.turns.clone() * Number::integer(2)).to_integer()?;
-        let mut sum = match eighths.rem_euclid(4) {
-            0 => Some(Number::zero()),
-            1 => Some(Number::one()),
-            2 => None,
-            _ => Some(Number::integer(-1)),
-        };
+        let mut vector = [Number::one(), Number::zero()];
+        for _ in 0..eighths.rem_euclid(4) {
+            vector = turned(vector, &Number::one());
+        }
         for (count, tangent) in &self.parts {
             let count = count.to_integer().filter(|count| count.abs() <= LARGEST)?;
             let (tangent, count) = if count % 2 == 0 {
@@ -75,10 +74,10 @@ impl Angle {
             };
             let tangent = if count < 0 { -tangent } else { tangent };
             for _ in 0..count.abs() {
-                sum = tangent_of_sum(sum, tangent.clone());
+                vector = turned(vector, &tangent);
             }
         }
-        sum
+        Some(vector)
     }
 }
 
@@ -89,25 +88,24 @@ fn halved(tangent: &Number) -> Option<Number> {
     tangent.checked_div(&(Number::one() + secant))
 }
 
-/// The tangent of the sum of two angles by their tangents; `None` is that of a right angle.
-fn tangent_of_sum(a: Option<Number>, b: Number) -> Option<Number> {
-    let Some(a) = a else {
-        return (-Number::one()).checked_div(&b);
-    };
-    let below = Number::one() - a.clone() * b.clone();
-    (a + b).checked_div(&below)
+/// `(x + i y) (1 + i tangent)`
+fn turned([x, y]: [Number; 2], tangent: &Number) -> [Number; 2] {
+    let across = y.clone() * tangent.clone();
+    let along = x.clone() * tangent.clone();
+    [x - across, y + along]
 }
 
 impl Number {
     /// Its cosine and sine, if it is an angle by its tangent.
     pub(super) fn on_circle_by_tangent(&self) -> Option<[Self; 2]> {
-        let tangent = Angle::of(self)
-            .filter(|angle| !angle.parts.is_empty())?
-            .half_tangent()?;
-        let square = tangent.clone() * tangent.clone();
-        let below = Self::one() + square.clone();
-        let cosine = (Self::one() - square).checked_div(&below)?;
-        let sine = (tangent.clone() + tangent).checked_div(&below)?;
+        let angle = Angle::of(self).filter(|angle| !angle.parts.is_empty())?;
+        let [x, y] = angle.half()?;
+        let product = x.clone() * y.clone();
+        let [x, y] = [x, y].map(|one| one.clone() * one);
+        // positive: each factor of the vector has a length of one or more
+        let length = x.clone() + y.clone();
+        let cosine = (x - y).checked_div(&length)?;
+        let sine = (product.clone() + product).checked_div(&length)?;
         Some([cosine, sine])
     }
 }

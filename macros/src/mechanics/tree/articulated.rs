@@ -38,13 +38,13 @@ impl Eliminated {
         labels.explain([self.inverse], meaning);
         labels.explain(
             [self.driving],
-            "load along each joint, minus what its body lacks",
+            "load along each joint, minus what its body needs along it",
         );
         labels.explain(
             [self.drive],
-            "acceleration of each joint, were its carrier at rest",
+            "acceleration of each joint if its carrier does not accelerate",
         );
-        let meaning = "what the acceleration of a carrier takes from that of the joint";
+        let meaning = "q'' = own - share . a, a of the carrier";
         self.share.explain(labels, meaning);
         labels.name(self.inverse, format!("inverse_inertia_{of}"));
         labels.name(self.driving, format!("driving_{of}"));

@@ -40,11 +40,7 @@ impl MassMatrix {
                 &link.name,
                 "inertia of a body with all that it carries",
             );
-            load.explain(
-                labels,
-                "moment and force that a body lacks, with all that it carries",
-            );
-            load.name(labels, ["moment", "force"], &link.name);
+            load.name_lacking(labels, &link.name);
             for (number, freedom) in link.open().enumerate() {
                 let row = first[index] + number;
                 let needed = freedom.twist.dot(graph, load);

@@ -93,11 +93,7 @@ fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Acceleratio
         let (mut own, mut load) = (inertia[index].quantities(graph), lacking[index]);
         load = load.quantities(graph);
         own.name(labels, &link.name, ARTICULATED);
-        load.explain(
-            labels,
-            "moment and force that a body lacks, with all that it carries",
-        );
-        load.name(labels, ["moment", "force"], &link.name);
+        load.name_lacking(labels, &link.name);
         let gone = link.open().map(|freedom| {
             let gone = own.eliminate(graph, freedom, &mut load);
             gone.name(labels, &freedom.name);

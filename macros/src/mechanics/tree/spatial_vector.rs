@@ -68,6 +68,14 @@ impl SpatialVector {
         labels.explain(self.angular.into_iter().chain(self.linear), meaning);
     }
 
+    /// Names and describes the load that a link lacks.
+    pub fn name_lacking(&self, labels: &mut Labels, of: &str) {
+        let meaning =
+            "moment and force that a body needs beyond its loads, with all that it carries";
+        self.explain(labels, meaning);
+        self.name(labels, ["moment", "force"], of);
+    }
+
     pub fn plus(self, graph: &mut Graph, other: Self) -> Self {
         Self {
             angular: graph.add_vectors(self.angular, other.angular),

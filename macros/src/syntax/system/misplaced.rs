@@ -88,9 +88,7 @@ impl System {
         self.top.constants.append(&mut misplaced.constants);
         self.top.functions.append(&mut misplaced.functions);
     }
-}
 
-impl System {
     /// The key that makes this a single body, described as a system: it belongs to a body, and there
     /// are no bodies and no joints.
     pub(super) fn key_of_lone_body(&self) -> Option<Ident> {

@@ -52,9 +52,7 @@ impl System {
         }
         self.top.motion = motion(self.place_of_motion());
     }
-}
 
-impl System {
     /// Whether most of its vectors have components in the plane, or in space.
     pub fn shows(&self, is_planar: bool) -> bool {
         let bodies = self.bodies.iter().flat_map(Description::values);

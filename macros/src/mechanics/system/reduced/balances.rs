@@ -203,7 +203,7 @@ impl<'w> Balances<'w> {
             labels.name(*momentum, format!("momentum_{name}"));
         }
         let name = &self.all[coordinate].name;
-        labels.explain([inertia], "inertia on the way of the independent joint");
+        labels.explain([inertia], "inertia that the independent joint moves");
         labels.name(inertia, format!("inertia_{name}"));
         labels.name(inverse, format!("inverse_inertia_{name}"));
         Some(Block {

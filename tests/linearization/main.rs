@@ -6,6 +6,7 @@
 mod alone;
 mod bodies;
 mod changing;
+mod following;
 #[path = "../../examples/level_turn.rs"]
 mod level_turn;
 mod modes;

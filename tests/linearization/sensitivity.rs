@@ -123,7 +123,7 @@ rigid_system!(FourBar::<T> {
 
 /// A list of numbers, to be read or written.
 #[derive(Default)]
-struct Numbers<T>(Vec<T>, usize);
+pub struct Numbers<T>(pub Vec<T>, pub usize);
 
 impl<T: Copy> Source<T> for Numbers<T> {
     fn take(&mut self) -> T {
@@ -138,7 +138,7 @@ impl<T> Sink<T> for Numbers<T> {
     }
 }
 
-fn numbers<T: newton_euler::Scalar>(columns: &impl Columns<T>) -> Vec<T> {
+pub fn numbers<T: newton_euler::Scalar>(columns: &impl Columns<T>) -> Vec<T> {
     let mut list = Numbers(Vec::new(), 0);
     columns.write(&mut list);
     list.0
@@ -146,7 +146,7 @@ fn numbers<T: newton_euler::Scalar>(columns: &impl Columns<T>) -> Vec<T> {
 
 /// Holds the columns of a sensitivity, in the order of the parameters, beside dual numbers: of the
 /// accelerations of a body that is built from dual parameters.
-fn hold<B, D>(
+pub fn hold<B, D>(
     body: &B,
     state: &B::State,
     accelerations: impl Fn(Vec<Derived>, &D) -> Vec<Derived>,

@@ -12,7 +12,7 @@ pub struct Differentiated {
     pub accelerations: Vec<Id>,
     pub changing: Vec<Id>,
     /// For a tree: the balances are differentiated, and the change of the accelerations is solved
-    /// for with the mass matrix.
+    /// for.
     response: Option<Response>,
 }
 

@@ -1,6 +1,6 @@
-//! The linearization of a system. For a tree, the balances are differentiated and solved with the
-//! mass matrix. For a system held by more than a tree, the accelerations themselves are
-//! differentiated.
+//! The linearization of a system. For a tree, the balances are differentiated and solved for the
+//! change of the accelerations. For a system held by more than a tree, the accelerations themselves
+//! are differentiated.
 
 use crate::mechanics::system::{Response, SystemEquations, unit_motion};
 use crate::mechanics::variation::Direction;

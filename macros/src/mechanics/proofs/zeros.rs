@@ -7,16 +7,38 @@ use super::random_state::RandomState;
 
 /// Whether all of `roots` are proved to be zero in all states, on all branches.
 pub fn all_vanish(work: &Workspace, roots: &[Id]) -> bool {
-    samples(work, roots).iter().all(Sample::is_zero)
+    let told = told_at_once(work, roots);
+    !told.contains(&Some(false)) && {
+        let left = left_over(roots, &told);
+        samples(work, &left).iter().all(Sample::is_zero)
+    }
 }
 
 /// Whether each of `roots` is proved to be zero in all states. They are tested together, or
 /// separately if residues cannot decide one of them.
 pub fn vanishing(work: &Workspace, roots: &[Id]) -> Vec<bool> {
-    let samples = samples(work, roots);
-    let all = samples.iter().zip(roots);
-    all.map(|(sample, root)| sample.is_zero() || !sample.is_refuted() && all_vanish(work, &[*root]))
+    let told = told_at_once(work, roots);
+    let left = left_over(roots, &told);
+    let samples = samples(work, &left);
+    let tried = samples.iter().zip(left).map(|(sample, root)| {
+        sample.is_zero() || !sample.is_refuted() && all_vanish(work, &[root])
+    });
+    let mut tried = tried.collect::<Vec<bool>>().into_iter();
+    let all = told.into_iter();
+    all.map(|told| told.or_else(|| tried.next()) == Some(true))
         .collect()
+}
+
+/// Whether each of `roots` is zero, where few evaluations tell.
+fn told_at_once(work: &Workspace, roots: &[Id]) -> Vec<Option<bool>> {
+    let state = RandomState::draw(0);
+    work.graph.told_at_once(roots, |id| state.of(work, id))
+}
+
+/// Those of `roots` for which all branches are to be tried.
+fn left_over(roots: &[Id], told: &[Option<bool>]) -> Vec<Id> {
+    let left = roots.iter().zip(told).filter(|(_, told)| told.is_none());
+    left.map(|(root, _)| *root).collect()
 }
 
 /// The values of `roots` at one random state, on each branch.

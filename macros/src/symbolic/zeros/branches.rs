@@ -8,10 +8,10 @@ use crate::symbolic::number::Function;
 
 use super::identity::{Residues, Side};
 
-/// The most branches that are tried one by one. If there are more, a last one is tried on which the
-/// choices are symbols. What holds there holds for either sign of a root and for any mixture of two
-/// sides, so it holds on all branches.
-const MOST: usize = 64;
+/// The most choices for which all branches are tried one by one. If there are more, a last branch is
+/// tried on which the choices are symbols. What holds there holds for either sign of a root and for
+/// any mixture of two sides, so it holds on all branches.
+pub const MOST_CHOICES: usize = 6;
 
 /// The result of `evaluate` on each branch.
 pub fn on_branches<T>(mut evaluate: impl FnMut(&mut Residues<'_>) -> T) -> Vec<T> {
@@ -38,7 +38,7 @@ pub fn on_branches<T>(mut evaluate: impl FnMut(&mut Residues<'_>) -> T) -> Vec<T
             return values;
         };
         *last = true;
-        if values.len() == MOST {
+        if values.len() == 1 << MOST_CHOICES {
             values.push(evaluate(&mut Residues::new(&mut |_| None)));
             return values;
         }

@@ -5,10 +5,13 @@
 //! somewhere or everywhere, and are treated as nonzero. Floating-point values prove nothing, at any
 //! precision.
 
+use std::collections::HashSet;
+
 use crate::symbolic::graph::{Graph, Id, Node};
 use crate::symbolic::number::Residue;
 
-use super::branches::on_branches;
+use super::branches::{MOST_CHOICES, on_branches};
+use super::identity::{Residues, Side};
 
 /// The value of an expression at one random place, on each branch; `None` where it has none.
 #[derive(Clone)]
@@ -76,9 +79,11 @@ impl Graph {
     /// The sums of the values of `roots` at several places.
     pub fn sums(&self, roots: &[Id], places: &[impl Fn(Id) -> Residue]) -> Vec<Sample> {
         let tape = self.tape(roots);
-        let is_told = tape.is_told_by_residues();
+        if !tape.is_told_by_residues() {
+            return vec![Sample(vec![None]); roots.len()];
+        }
         let branches = on_branches(|residues| {
-            let mut sums = vec![Some(Residue::ZERO).filter(|_| is_told); roots.len()];
+            let mut sums = vec![Some(Residue::ZERO); roots.len()];
             for symbol in places {
                 let values = tape.values(residues, |_, id| Some(symbol(id)));
                 for (sum, root) in sums.iter_mut().zip(roots) {
@@ -91,12 +96,46 @@ impl Graph {
         (0..roots.len()).map(of).collect()
     }
 
+    /// Whether each of `roots` is zero, where one or two evaluations tell: it is not if it is nonzero
+    /// on the first branch, and it is if there are too many branches to try all of them, and it is
+    /// zero with symbols in place of their choices. `None` if all branches are to be tried.
+    pub fn told_at_once(&self, roots: &[Id], symbol: impl Fn(Id) -> Residue) -> Vec<Option<bool>> {
+        let tape = self.tape(roots);
+        let values_on = |side: &mut dyn FnMut(Side) -> Option<bool>| {
+            let values = tape.values(&mut Residues::new(side), |_, id| Some(symbol(id)));
+            let values = roots.iter().map(|root| *tape.of(&values, *root));
+            values.collect::<Vec<Option<Residue>>>()
+        };
+        let mut choices = HashSet::new();
+        let first = values_on(&mut |side| {
+            choices.insert(side);
+            Some(false)
+        });
+        let is_nonzero = |value: &Option<Residue>| value.is_some_and(|value| !value.is_zero());
+        let are_many = choices.len() > MOST_CHOICES && !first.iter().all(is_nonzero);
+        let is_told = are_many && tape.is_told_by_residues();
+        let mixed = is_told.then(|| values_on(&mut |_| None));
+        let told = first.iter().enumerate().map(|(index, first)| {
+            let is_zero = |mixed: &Vec<_>| mixed[index] == Some(Residue::ZERO);
+            if is_nonzero(first) {
+                Some(false)
+            } else {
+                mixed.as_ref().is_some_and(is_zero).then_some(true)
+            }
+        });
+        told.collect()
+    }
+
     /// Whether an expression is proved to be zero, whatever its symbols are.
     pub fn vanishes(&self, id: Id) -> bool {
         match self.node(id) {
             Node::Number(number) => number.is_zero(),
             Node::Symbol(_) => false,
-            _ => self.samples(&[id], |id| free(id, 0))[0].is_zero(),
+            _ => {
+                let symbol = |id| free(id, 0);
+                let told = self.told_at_once(&[id], symbol)[0];
+                told.unwrap_or_else(|| self.samples(&[id], symbol)[0].is_zero())
+            }
         }
     }
 }

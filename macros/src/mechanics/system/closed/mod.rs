@@ -23,6 +23,7 @@ mod solve;
 mod unsettled;
 
 pub use assembly::Coordinates;
+pub use eliminated::{Following, equations};
 pub use inverse::solve_drives;
 pub use known::moved_in_world;
 pub use release::{component, release};

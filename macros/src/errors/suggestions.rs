@@ -115,6 +115,8 @@ const SOLIDS: &Elsewhere = &[
     ("hollow_sphere", "shell"),
     ("block", "cuboid"),
     ("brick", "cuboid"),
+    ("plate", "cuboid"),
+    ("rectangle", "cuboid"),
 ];
 
 const NAMES: &Elsewhere = &[

@@ -67,9 +67,14 @@ impl Lowering<'_> {
         Some(value)
     }
 
-    /// Reports further errors in expressions that are not used because of an error around them.
+    /// Reports further errors in expressions that are not used because of an error around them. A
+    /// name with a unit is meant as a declaration there.
     pub fn visit(&mut self, expressions: &[Expression]) {
         for expression in expressions {
+            let expression = match &expression.kind {
+                Kind::Unit(name, _) if matches!(name.kind, Kind::Name(_)) => name,
+                _ => expression,
+            };
             let is_value = !matches!(
                 expression.kind,
                 Kind::Tuple(_) | Kind::List(_) | Kind::Placeholder
@@ -106,11 +111,11 @@ impl Lowering<'_> {
                 ))
             }
             Value::Vector(vector, found) => {
-                self.check_unitless(found, unit.extent)?;
+                self.check_no_component(found, unit)?;
                 Some(Value::Vector(self.work.scale(factor, vector), dimension))
             }
             Value::Components(frame, components, found) => {
-                self.check_unitless(found, unit.extent)?;
+                self.check_no_component(found, unit)?;
                 Some(Value::Components(
                     frame,
                     self.work.graph.scale_vector(factor, components),

@@ -104,6 +104,15 @@ impl Lowering<'_> {
         Some(())
     }
 
+    /// The same for a vector. `[1]` is the unit of numbers, or means its second component.
+    pub fn check_no_component(&mut self, found: Dimension, unit: &UnitExpression) -> Option<()> {
+        if found.is_known() && unit.factors.is_empty() {
+            let message = "brackets hold a unit: a component is written `.in_world().y`";
+            return self.report(unit.extent, message);
+        }
+        self.check_unitless(found, unit.extent)
+    }
+
     /// Whether a name is a unit and nothing else.
     fn is_only_unit(&self, name: &Ident) -> bool {
         let word = name.to_string();

@@ -2,10 +2,13 @@
 
 use std::process::{Command, Output};
 
-/// Links a program, and asks it how many functions it has.
+/// Links a program, and asks it how many functions it has. What can panic is known only when all is
+/// optimized as a whole.
 fn link(program: &str) -> Output {
     Command::new(env!("CARGO"))
-        .args(["run", "--quiet", "--profile", "proof"])
+        .env("CARGO_PROFILE_RELEASE_LTO", "fat")
+        .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "1")
+        .args(["run", "--quiet", "--release"])
         .args(["-p", "newton-euler-no-panic", "--features", "proof"])
         .args(["--bin", program])
         .env_remove("RUSTFLAGS")

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds of every kind, each held against what is on record: optimised or not, with other features, for other processors; and in valgrind,
+# Builds of every kind, each held against what is on record: optimized or not, with other features, for other processors; and in valgrind,
 # which hides AVX-512.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -14,12 +14,12 @@ test=(cargo test --quiet -p newton-euler-same-bits)
 build debug "${test[@]}"
 build plain "${test[@]}" --no-default-features
 build threads "${test[@]}" --features rayon
-build release "${test[@]}" --release
-build size CARGO_PROFILE_RELEASE_OPT_LEVEL=s "${test[@]}" --release
-build link-time CARGO_PROFILE_RELEASE_LTO=fat CARGO_PROFILE_RELEASE_CODEGEN_UNITS=1 "${test[@]}" --release
-build native RUSTFLAGS="-C target-cpu=native" "${test[@]}" --release
+build release "${test[@]}" --release --features whole
+build size CARGO_PROFILE_RELEASE_OPT_LEVEL=s "${test[@]}" --release --features whole
+build link-time CARGO_PROFILE_RELEASE_LTO=fat CARGO_PROFILE_RELEASE_CODEGEN_UNITS=1 "${test[@]}" --release --features whole
+build native RUSTFLAGS="-C target-cpu=native" "${test[@]}" --release --features whole
 build native-plain RUSTFLAGS="-C target-cpu=native" "${test[@]}" --release --no-default-features
-build v3 RUSTFLAGS="-C target-cpu=x86-64-v3" "${test[@]}" --release
+build v3 RUSTFLAGS="-C target-cpu=x86-64-v3" "${test[@]}" --release --features whole
 
 # one for AVX2 has moves between registers that valgrind 3.19 does not know
 for name in debug release; do

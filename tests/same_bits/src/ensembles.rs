@@ -51,30 +51,37 @@ fn by_midpoints(bits: &mut Bits, width: Width) {
     ensemble.states().iter().for_each(|state| bits.add(&state));
 }
 
-/// The same in each width that the processor has.
-pub fn all() -> Vec<(Width, Bits)> {
-    let there = Width::ALL.into_iter().filter(|width| width.is_there());
-    let each = there.map(|width| {
-        let mut bits = Bits::new();
-        of(&mut bits, &Craft::<f64>::default(), width);
-        by_midpoints(&mut bits, width);
-        of(&mut bits, &Turning::<f64>::default(), width);
-        of(&mut bits, &Top::<f64>::default(), width);
-        of(&mut bits, &Wave::<f64>::default(), width);
-        of(&mut bits, &Plank::<f64>::default(), width);
-        of(&mut bits, &Pendulum::<f64>::default(), width);
-        of(&mut bits, &Stick::<f64>::default(), width);
-        (width, bits)
-    });
-    each.collect()
+/// A body in space and one in the plane, the same in each width that the processor has.
+pub fn bodies() -> Vec<(Width, Bits)> {
+    in_each_width(|bits, width| {
+        of(bits, &Craft::<f64>::default(), width);
+        by_midpoints(bits, width);
+        of(bits, &Plank::<f64>::default(), width);
+    })
+}
+
+/// More bodies, the same in each width that the processor has.
+#[cfg(any(debug_assertions, feature = "whole"))]
+pub fn further_bodies() -> Vec<(Width, Bits)> {
+    in_each_width(|bits, width| {
+        of(bits, &Turning::<f64>::default(), width);
+        of(bits, &Top::<f64>::default(), width);
+        of(bits, &Wave::<f64>::default(), width);
+        of(bits, &Pendulum::<f64>::default(), width);
+        of(bits, &Stick::<f64>::default(), width);
+    })
 }
 
 /// Systems, the same in each width that the processor has.
 pub fn systems() -> Vec<(Width, Bits)> {
+    in_each_width(|bits, width| of(bits, &DoublePendulum::<f64>::default(), width))
+}
+
+fn in_each_width(add: impl Fn(&mut Bits, Width)) -> Vec<(Width, Bits)> {
     let there = Width::ALL.into_iter().filter(|width| width.is_there());
     let each = there.map(|width| {
         let mut bits = Bits::new();
-        of(&mut bits, &DoublePendulum::<f64>::default(), width);
+        add(&mut bits, width);
         (width, bits)
     });
     each.collect()

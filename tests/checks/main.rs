@@ -316,3 +316,47 @@ fn what_is_claimed_is_so_in_doubles() {
     let found = Freed::default().acceleration(0.0, &FreedState::default(), &());
     assert!(found.spin.abs() < 1e-15);
 }
+
+// no load depends on an acceleration, and the checks ask for those of bodies and points
+rigid_system!(Trailed {
+    motion: planar,
+    bodies: [
+        arm {
+            mass: 1[kg],
+            inertia: 0.1[kg * m ^ 2],
+            points: [pin = (1, 0), far = (-1, 0)],
+        },
+        ball {
+            mass: 2[kg],
+            inertia: 0.3[kg * m ^ 2],
+            points: [tip = (1, 0)]
+        },
+    ],
+    joints: [hinge = revolute(world(0, 0), arm.pin), flight = free(ball)],
+    fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+    checks: [
+        // m g l / (J + m l^2)
+        falls = (arm.angular_acceleration == 9.81 / 1.1[rad / s ^ 2]).given(hinge.angle = 0),
+        at_center = (arm.acceleration.in_world().y == -9.81 / 1.1[m / s ^ 2]
+            && arm.acceleration.in_world().x == 4[m / s ^ 2]
+            && arm.far.acceleration().in_world().y == -2 * 9.81 / 1.1[m / s ^ 2])
+            .given(hinge.angle = 0, hinge.angular_velocity = 2[rad / s]),
+        free = (ball.acceleration.in_world().y == -9.81[m / s ^ 2]
+            && ball.tip.acceleration().in_world().x == -4[m / s ^ 2])
+            .given(flight.angle = 0, flight.angular_velocity = 2[rad / s]),
+    ],
+});
+
+#[test]
+fn accelerations_of_a_system() {
+    let state = TrailedState {
+        hinge: Hinge {
+            angle: 0.0,
+            angular_velocity: 2.0,
+        },
+        ..TrailedState::default()
+    };
+    let found = Trailed::default().acceleration(0.0, &state, &());
+    assert!((found.hinge - 9.81 / 1.1).abs() < 1e-14);
+    assert!((found.flight.linear.y + 9.81).abs() < 1e-14);
+}

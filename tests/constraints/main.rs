@@ -3,6 +3,7 @@
 mod inverse;
 mod inverse_constrained;
 mod inverse_turning;
+mod jumps;
 mod kept;
 #[path = "../oracle/mod.rs"]
 mod oracle;

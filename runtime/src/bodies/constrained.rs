@@ -9,7 +9,7 @@
 //! the nearest state, in the metric of the kinetic energy
 //! ```
 //!
-//! first in the positions, by Newton's method, then in the velocities, which are linear.
+//! (in a system, of the kinetic energy of each coordinate by itself), first in the positions, by Newton's method, then in the velocities, which are linear.
 
 use core::fmt;
 

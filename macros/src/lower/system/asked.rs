@@ -66,7 +66,7 @@ impl Reader<'_> {
                 format!("nothing holds what `{name}` carries: it has no reactions")
             } else if names().any(|known| known == name)
                 || kept.contains(name)
-                || self.system.has_lost_joints
+                || self.system.lost.joints
             {
                 seen.push(name);
                 continue;

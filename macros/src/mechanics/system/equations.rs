@@ -69,6 +69,8 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
     }
     let mut roots = accelerations.concat();
     roots.extend(system.states.iter().map(|state| state.rate));
+    let rows = closed.iter().flat_map(Closed::rows);
+    roots.extend(rows.flat_map(|row| row.value.into_iter().chain([row.rate])));
     let time = system.bodies.first().map(|body| body.state.time);
     let switches = time.map(|time| derive_switches(time, &system.derivatives, work, &roots));
     let mut loads = loads(system, work);

@@ -52,7 +52,7 @@ impl System {
             .or_else(|| name_and_braces(entry, errors))
             .filter(|(name, _)| check_name(name, "the name of a body", errors).is_some());
         let Some((name, group)) = named else {
-            self.has_lost_bodies = true;
+            self.lost.bodies = true;
             return;
         };
         let mut body = Description::new(name.clone(), self.top.runtime.clone());
@@ -63,7 +63,7 @@ impl System {
                  has a mass, `mass: 1[kg]`"
             );
             errors.push(name.span(), message);
-            self.has_lost_bodies = true;
+            self.lost.bodies = true;
             return;
         }
         let first = self.bodies.len();
@@ -104,7 +104,7 @@ impl System {
                     errors.push(key.span(), message);
                 }
                 let read = read_copies(body, key, rest, errors);
-                self.has_lost_bodies |= read.is_none() || is_repeated;
+                self.lost.bodies |= read.is_none() || is_repeated;
                 copies
                     .get_or_insert_default()
                     .extend(read.unwrap_or_default());
@@ -118,7 +118,7 @@ impl System {
                     "there is no key `{key}`; joints stand outside of the braces of bodies, in `joints: [..]`"
                 );
                 errors.push(key.span(), message);
-                self.has_lost_joints = true;
+                self.lost.joints = true;
             } else if key == "pole" {
                 let message =
                     "the balances of the bodies of a system are about G: leave `pole` out";
@@ -141,7 +141,7 @@ impl System {
         if self.bodies.iter().any(|other| other.name == body.name) {
             let message = format!("there is a body `{}` already", body.name);
             errors.push(body.name.span(), message);
-            self.has_lost_bodies = true;
+            self.lost.bodies = true;
             return;
         }
         self.firsts.push(first);

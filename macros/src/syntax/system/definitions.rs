@@ -19,7 +19,7 @@ impl System {
         errors: &mut Errors,
     ) {
         let Some((name, rest)) = parse_name(&mut self.top, list, entry, errors) else {
-            self.has_lost_joints |= list == "joints";
+            self.lost.joints |= list == "joints";
             return;
         };
         let value = parse_value(&name, rest, errors);

@@ -40,8 +40,8 @@ pub struct File {
 impl System {
     /// `urdf: "robot.urdf"` or `mjcf: "model.xml"`
     pub(super) fn parse_file(&mut self, key: &Ident, rest: &[TokenTree], errors: &mut Errors) {
-        self.has_lost_bodies = true;
-        self.has_lost_joints = true;
+        self.lost.bodies = true;
+        self.lost.joints = true;
         let value = key_value(key, rest, errors);
         if value.is_empty() {
             return;
@@ -65,14 +65,14 @@ impl System {
             path: None,
             told: Told::default(),
         });
-        self.has_lost_bodies = false;
-        self.has_lost_joints = false;
+        self.lost.bodies = false;
+        self.lost.joints = false;
     }
 
     /// Adds the bodies and joints of the file, if there is one.
     pub(super) fn read_file(&mut self, errors: &mut Errors) {
         let Some(mut file) = self.file.take() else {
-            if let Some(first) = self.locked.first().filter(|_| !self.has_lost_joints) {
+            if let Some(first) = self.locked.first().filter(|_| !self.lost.joints) {
                 let message = "`locked` holds joints of a file, and there is no `urdf: \"..\"`";
                 errors.push(first.name.span(), message);
             }
@@ -80,8 +80,8 @@ impl System {
         };
         let before = errors.count();
         if self.add_file(&mut file, errors).is_none() || errors.count() > before {
-            self.has_lost_bodies = true;
-            self.has_lost_joints = true;
+            self.lost.bodies = true;
+            self.lost.joints = true;
         }
         self.file = Some(file);
     }

@@ -7,6 +7,13 @@ use crate::syntax::expression::Expression;
 
 use super::System;
 
+/// Whether an entry that may have defined bodies, or joints, could not be read.
+#[derive(Default)]
+pub struct Lost {
+    pub bodies: bool,
+    pub joints: bool,
+}
+
 impl System {
     /// All values that are written outside the bodies.
     fn written(&self) -> impl Iterator<Item = &Expression> {
@@ -21,19 +28,19 @@ impl System {
 
     /// Reports a system without bodies. Any unknown name may then be that of a body.
     pub fn check_bodies(&mut self, errors: &mut Errors) {
-        if !self.bodies.is_empty() || self.has_lost_bodies {
+        if !self.bodies.is_empty() || self.lost.bodies {
             return;
         }
         let name = &self.top.name;
         let message = format!("`{name}` has no bodies: write `bodies: [arm {{ .. }}]`");
         errors.push(name.span(), message);
-        self.has_lost_bodies = true;
+        self.lost.bodies = true;
     }
 
     /// If something that defines bodies or joints could not be read, any unknown name may be one of
     /// them.
     pub fn lose_names(&mut self) {
-        if !self.has_lost_bodies && !self.has_lost_joints {
+        if !self.lost.bodies && !self.lost.joints {
             return;
         }
         let bodies = self.bodies.iter().flat_map(|body| {

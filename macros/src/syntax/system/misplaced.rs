@@ -37,9 +37,9 @@ impl System {
             format!("`{key}` belongs to the system: write it outside of the braces of its bodies");
         errors.push(key.span(), message);
         if key == "joints" {
-            self.has_lost_joints = true;
+            self.lost.joints = true;
         } else if key == "bodies" {
-            self.has_lost_bodies = true;
+            self.lost.bodies = true;
         } else if key_meant(&key.to_string()).is_some() && key != "doc" {
             self.keep_misplaced(key, entry, errors);
         }
@@ -94,8 +94,8 @@ impl System {
     pub(super) fn key_of_lone_body(&self) -> Option<Ident> {
         let is_system = !self.bodies.is_empty()
             || !self.joints.is_empty()
-            || self.has_lost_bodies
-            || self.has_lost_joints
+            || self.lost.bodies
+            || self.lost.joints
             || self.file.is_some();
         let mut keys = self.misplaced.keys.iter();
         let key = keys.find(|key| OF_ONE_BODY.iter().any(|word| *key == word));

@@ -17,6 +17,7 @@ use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use crate::errors::{Errors, foreign_list_meant, similar};
 
 pub use file::{File, file_beside};
+pub use lost::Lost;
 pub use misplaced::parse_lone_body;
 
 use super::entries::{
@@ -53,9 +54,9 @@ pub struct System {
     pub file: Option<File>,
     /// Joints of the file that are locked at a value of their coordinate.
     pub locked: Vec<Definition>,
-    /// Whether an entry that may have defined bodies, or joints, could not be read.
-    pub has_lost_bodies: bool,
-    pub has_lost_joints: bool,
+    pub lost: Lost,
+    /// Whether any word means the acceleration of a body, a joint or a point.
+    pub mentions_accelerations: bool,
     /// What is wrong where it stands, which is reported: keys of bodies beside these, keys of the
     /// system in them, a motion that no system has.
     misplaced: Description,
@@ -115,6 +116,7 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
     let misplaced = Description::new(top.name.clone(), top.runtime.clone());
     let mut system = System {
         top,
+        mentions_accelerations: mentions_accelerations(&body),
         misplaced,
         lone: None,
         bodies: Vec::new(),
@@ -130,8 +132,7 @@ pub fn parse_system(tokens: TokenStream, errors: &mut Errors) -> Option<System> 
         firsts: Vec::new(),
         file: None,
         locked: Vec::new(),
-        has_lost_bodies: false,
-        has_lost_joints: false,
+        lost: Lost::default(),
     };
     for entry in split(body, Entry::Key, errors) {
         system.parse_key(without_attributes(&entry, errors), errors);
@@ -259,8 +260,8 @@ impl System {
                 if let Some(first) = value.first() {
                     errors.push(start(first), message);
                 }
-                self.has_lost_bodies |= list == "bodies";
-                self.has_lost_joints |= list == "joints";
+                self.lost.bodies |= list == "bodies";
+                self.lost.joints |= list == "joints";
                 return;
             }
         };
@@ -350,4 +351,12 @@ fn outside<'t>(key: &Ident, rest: &'t [TokenTree]) -> Option<Outside<'t>> {
 fn no_choice_of_joints(key: &Ident, errors: &mut Errors) {
     let message = "the state has all joints, and the compiler chooses which of a loop are independent: leave this out";
     errors.push(key.span(), message);
+}
+
+fn mentions_accelerations(tokens: &TokenStream) -> bool {
+    tokens.clone().into_iter().any(|token| match token {
+        TokenTree::Group(group) => mentions_accelerations(&group.stream()),
+        TokenTree::Ident(word) => word.to_string().contains("acceleration"),
+        _ => false,
+    })
 }

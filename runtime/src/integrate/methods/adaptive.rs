@@ -199,6 +199,10 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>, P: Embedded> Run<B> for Ada
         }
     }
 
+    fn tolerance(&self) -> Option<f64> {
+        Some(self.tolerance)
+    }
+
     fn heads_for(&mut self, end: f64) {
         self.watch.heads_for(end);
     }

@@ -47,6 +47,10 @@ impl<B: RigidBody<Scalar = f64>, F: Run<B>, S: Run<B>> Run<B> for EitherRun<F, S
         of_either!(self, advance(end, input))
     }
 
+    fn tolerance(&self) -> Option<f64> {
+        of_either!(self, tolerance())
+    }
+
     fn heads_for(&mut self, end: f64) {
         of_either!(self, heads_for(end));
     }

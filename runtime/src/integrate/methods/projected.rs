@@ -10,15 +10,19 @@ use crate::bodies::switches::Stretch;
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run, Tolerant};
 use crate::integrate::steps::setting::Setting;
+use crate::integrate::steps::size::relative_size;
 use crate::integrate::steps::stretch::Within;
 use crate::numbers::count::real;
+use crate::state::Coordinates;
 
 /// A method for bodies under constraints: [`Constrained::project`] corrects the end of every
 /// step. Violations do not grow, and the order is that of the method.
 ///
 /// A start with violations above rounding ([`Constrained::check`]) is an error: correct it, or
-/// `project` it first. If an input in a velocity constraint changes, the
-/// velocities jump to the nearest consistent ones.
+/// `project` it first. If an input in a velocity constraint changes, the velocities jump to the
+/// nearest consistent ones. If a constraint or its rate jumps for another reason, the motion ends
+/// with [`IntegrationError::Jump`]: at a condition on time, or within a step if the method has a
+/// tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projected<M>(pub M);
 
@@ -28,7 +32,7 @@ impl<M: Tolerant> Tolerant for Projected<M> {
     }
 }
 
-impl<B: Constrained<Scalar = f64>, M: Method<B>> Method<B> for Projected<M> {
+impl<B: Constrained<Scalar = f64, State: Coordinates>, M: Method<B>> Method<B> for Projected<M> {
     type Run<'b>
         = ProjectedRun<'b, B, M::Run<'b>>
     where
@@ -40,6 +44,7 @@ impl<B: Constrained<Scalar = f64>, M: Method<B>> Method<B> for Projected<M> {
             run: self.0.start(body, time, state),
             is_checked: false,
             is_on_constraints: false,
+            has_switched: false,
             longest: 0.0,
             short: 0,
         }
@@ -57,6 +62,8 @@ pub struct ProjectedRun<'b, B: RigidBody, R> {
     /// Whether the start was checked.
     is_checked: bool,
     is_on_constraints: bool,
+    /// Whether a condition on time has switched since then.
+    has_switched: bool,
     /// The longest step so far \[s\].
     longest: f64,
     /// The number of consecutive short steps where constraints depend on each other.
@@ -67,6 +74,9 @@ pub struct ProjectedRun<'b, B: RigidBody, R> {
 const SHORT: f64 = 1e-3;
 /// After this many consecutive short steps the motion ends: rounding would decide how it continues.
 const MANY: usize = 20;
+
+/// The tolerance of a method that has none, at a switch.
+const FINE: f64 = 1e-12;
 
 impl<B: RigidBody, R: fmt::Debug> fmt::Debug for ProjectedRun<'_, B, R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -112,15 +122,29 @@ impl<B: Constrained<Scalar = f64>> Within<'_, B> {
     }
 }
 
-impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
-    /// Projects the state of the motion; `good` is the last good state.
+impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> ProjectedRun<'_, B, R> {
+    /// Projects the state of the motion; `good` is the last good state. What follows the equations
+    /// to a tolerance is near its constraints. If the state moves by more than the root of the
+    /// tolerance, a constraint or its rate jumps, and the equations do not describe the shock.
     fn project(
         &mut self,
         input: &B::Input,
         good: (f64, B::State),
+        tolerance: Option<f64>,
     ) -> Result<(), IntegrationError<B::State>> {
-        let mut state = self.run.state();
-        let projected = self.within.project(self.run.time(), &mut state, input);
+        let (found, at) = (self.run.state(), self.run.time());
+        let mut state = found.clone();
+        let projected = self.within.project(at, &mut state, input);
+        let change = moved(&found, &state);
+        let jumps = tolerance.is_some_and(|tolerance| change * change > tolerance);
+        if jumps && let Err(violated) = self.within.check(at, &found, input) {
+            let (time, state) = good;
+            return Err(IntegrationError::Jump {
+                time,
+                state,
+                violated,
+            });
+        }
         projected.map_err(|violated| {
             let (time, state) = good;
             IntegrationError::Inconsistent {
@@ -185,7 +209,9 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> ProjectedRun<'_, B, R> {
     }
 }
 
-impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> {
+impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> Run<B>
+    for ProjectedRun<'_, B, R>
+{
     const PLACES: usize = R::PLACES;
 
     fn body(&self) -> &B {
@@ -212,12 +238,14 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
             })?;
             self.is_checked = true;
         }
+        let tolerance = self.run.tolerance();
         if !self.is_on_constraints {
-            self.project(input, good.clone())?;
-            self.is_on_constraints = true;
+            let tolerance = self.has_switched.then(|| tolerance.unwrap_or(FINE));
+            self.project(input, good.clone(), tolerance)?;
+            (self.is_on_constraints, self.has_switched) = (true, false);
         }
         let reached = self.run.advance(end, input);
-        let reached = reached.and_then(|()| self.project(input, good.clone()));
+        let reached = reached.and_then(|()| self.project(input, good.clone(), tolerance));
         reached.map_err(|error| self.explained(error, input))?;
         self.passes(input, &good)
     }
@@ -236,24 +264,38 @@ impl<B: Constrained<Scalar = f64>, R: Run<B>> Run<B> for ProjectedRun<'_, B, R> 
         self.run.heads_for(end);
     }
 
+    fn tolerance(&self) -> Option<f64> {
+        self.run.tolerance()
+    }
+
     /// Constraints may contain inputs.
     fn renew(&mut self) {
         self.run.renew();
-        self.is_on_constraints = false;
+        (self.is_on_constraints, self.has_switched) = (false, false);
     }
 
     /// Constraints may change at a switch.
     fn enter(&mut self, stretch: Stretch) {
         self.run.enter(stretch);
         self.within.enter(stretch);
+        self.has_switched |= self.is_on_constraints;
         self.is_on_constraints = false;
     }
 
     fn replace(&mut self, state: &B::State) {
         self.run.replace(state);
         self.is_checked = false;
-        self.is_on_constraints = false;
+        (self.is_on_constraints, self.has_switched) = (false, false);
     }
+}
+
+/// The distance of two states, as steps measure their errors. NaN if one is not finite.
+fn moved<S: Coordinates<Scalar = f64>>(from: &S, to: &S) -> f64 {
+    let (from, mut change) = (from.coordinates(), to.coordinates());
+    for (change, from) in change.as_mut().iter_mut().zip(from.as_ref()) {
+        *change -= from;
+    }
+    relative_size::<S>(&change, &from)
 }
 
 /// Like [`cf4`](crate::integrate::cf4), with [`Constrained::project`] at the end of each step:

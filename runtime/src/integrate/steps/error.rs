@@ -75,6 +75,17 @@ pub enum IntegrationError<S> {
         /// The violated constraint.
         violated: Inconsistent,
     },
+    /// A constraint or its rate jumps, at a switch or within a step, so that bodies would have to
+    /// jump: the equations of motion do not describe the shock. The motion can be continued from the
+    /// state after the shock.
+    Jump {
+        /// \[s\]
+        time: f64,
+        /// The last good state.
+        state: S,
+        /// The violation after the jump.
+        violated: Inconsistent,
+    },
     /// The constraints do not determine the motion from here on: one depends on the others,
     /// although not in general. This is a dead point or a change point of a linkage, from which
     /// several motions continue, or none.
@@ -123,6 +134,7 @@ impl<S> IntegrationError<S> {
             | Self::StepTooLong { time, .. }
             | Self::InvalidBody { time, .. }
             | Self::Inconsistent { time, .. }
+            | Self::Jump { time, .. }
             | Self::Undetermined { time, .. }
             | Self::EventNotANumber { time, .. } => *time,
         }
@@ -138,6 +150,7 @@ impl<S> IntegrationError<S> {
             | Self::StepTooLong { state, .. }
             | Self::InvalidBody { state, .. }
             | Self::Inconsistent { state, .. }
+            | Self::Jump { state, .. }
             | Self::Undetermined { state, .. }
             | Self::EventNotANumber { state, .. } => state,
         }
@@ -173,6 +186,12 @@ impl<S> fmt::Display for IntegrationError<S> {
             Self::Inconsistent { time, violated, .. } => {
                 write!(f, "at {} s: {violated}", Number(*time))
             }
+            Self::Jump { time, violated, .. } => write!(
+                f,
+                "after {} s `{}` jumps, or its rate does: the equations do not describe this shock",
+                Number(*time),
+                violated.constraint,
+            ),
             Self::Undetermined {
                 time, constraint, ..
             } => write!(

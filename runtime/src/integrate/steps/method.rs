@@ -77,6 +77,11 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
     /// The state within the last step, which had this input.
     fn within(&self, time: f64, input: &B::Input) -> B::State;
 
+    /// The bound of the error of a step, if the method has one.
+    fn tolerance(&self) -> Option<f64> {
+        None
+    }
+
     /// Called with the end of the motion \[s\], before its first step.
     fn heads_for(&mut self, _end: f64) {}
 

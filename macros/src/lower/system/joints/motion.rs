@@ -64,7 +64,7 @@ impl Reader<'_> {
             .carrier
             .and_then(|carrier| drafts[carrier].state.as_ref());
         let mut moving = MotionInMaking::at_joint(work, carrier, written.place);
-        if self.follows_accelerations {
+        if self.system.mentions_accelerations {
             moving.accelerations = Some(accelerations_at(work, carrier, written.place));
         }
         let frames = moving.through(work, body, &written, &coordinates);

@@ -20,7 +20,7 @@ impl Reader<'_> {
         errors: &mut Errors,
     ) -> (Vec<usize>, Vec<usize>) {
         let bodies = &self.system.bodies;
-        let is_lost = self.system.has_lost_joints || self.system.has_lost_bodies;
+        let is_lost = self.system.lost.joints || self.system.lost.bodies;
         let mut is_sound = joints.iter().all(Option::is_some) && !is_lost;
         let (carried_by, mut closing) = self.carriers(joints, &mut is_sound, errors);
         // a joint with an error may have been meant to carry the body

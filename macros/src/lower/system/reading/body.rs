@@ -138,7 +138,7 @@ impl<'a> Reader<'a> {
             angular_velocity,
             ..still
         };
-        if self.follows_accelerations {
+        if self.system.mentions_accelerations {
             let acceleration = unknown(&axes);
             state.angular_acceleration = unknown(&turning);
             state.acceleration = work.vector(Frame::WORLD, acceleration);

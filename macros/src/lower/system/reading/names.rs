@@ -8,7 +8,7 @@ use crate::errors::{Errors, silently};
 use crate::lower::definitions::check_distinct;
 use crate::lower::expressions::BUILT_IN;
 use crate::model::{Constraint, Outline};
-use crate::syntax::{self, Definition, Expression, Kind};
+use crate::syntax::{self, Expression};
 
 /// The names of all bodies, followed by those of all joints.
 pub fn declared(system: &syntax::System) -> Vec<String> {
@@ -178,42 +178,4 @@ pub fn late_locals(system: &syntax::System) -> Vec<String> {
     let moving = moving_locals(system);
     let locals = system.top.locals.iter().map(|local| local.name.to_string());
     locals.filter(|name| moving.contains(name)).collect()
-}
-
-/// Whether any expression contains a word for the acceleration of a body, a joint or a point.
-pub fn mentions_accelerations(system: &syntax::System) -> bool {
-    let of = |list: &[Definition]| {
-        let mut values = list.iter().filter_map(|one| one.value.as_ref());
-        values.any(has_acceleration)
-    };
-    let is_beside = [&system.forces, &system.moments, &system.drives]
-        .into_iter()
-        .any(|list| of(list));
-    let descriptions = [&system.top].into_iter().chain(&system.bodies);
-    let mut within = descriptions.map(|one| {
-        let loads = one.loads.iter().filter_map(|load| load.vector.as_ref());
-        let lists = [
-            &one.points,
-            &one.locals,
-            &one.potentials,
-            &one.constraints,
-            &one.rates,
-        ];
-        let at = one
-            .loads
-            .iter()
-            .filter_map(|load| load.point.as_ref()?.as_ref());
-        loads.chain(at).any(has_acceleration) || lists.into_iter().any(|list| of(list))
-    });
-    is_beside || within.any(|found| found)
-}
-
-fn has_acceleration(expression: &Expression) -> bool {
-    let mut found = false;
-    expression.visit(|part| {
-        if let Kind::Name(word) | Kind::Method(_, word, _) | Kind::Field(_, word) = &part.kind {
-            found |= word.to_string().contains("acceleration");
-        }
-    });
-    found
 }

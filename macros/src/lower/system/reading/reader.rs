@@ -12,9 +12,7 @@ use crate::model::{
 use crate::symbolic::{Id, Stage};
 use crate::syntax;
 
-use super::names::{
-    check_driving, check_members, declared, late_locals, mentions_accelerations, moving_locals,
-};
+use super::names::{check_driving, check_members, declared, late_locals, moving_locals};
 
 /// The context in which the parts of a system are read.
 pub struct Reader<'a> {
@@ -23,8 +21,6 @@ pub struct Reader<'a> {
     pub scope: Scope,
     pub members: Members,
     pub motion: Motion,
-    /// Whether the description mentions accelerations.
-    pub follows_accelerations: bool,
     /// Whether drives are solved for.
     pub is_inverse: bool,
     /// For each body, whether its joints let it rotate.
@@ -56,7 +52,6 @@ impl<'a> Reader<'a> {
                 late: late_locals(system),
                 ..Members::default()
             },
-            follows_accelerations: mentions_accelerations(system),
             is_inverse: outline.rank(INVERSE).is_some(),
             turning: vec![false; system.bodies.len()],
             motion: if system.is_planar { &PLANAR } else { &SPATIAL },

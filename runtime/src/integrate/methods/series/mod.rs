@@ -122,6 +122,10 @@ impl<B: Taylor> Run<B> for SeriesRun<'_, B> {
         with!(&self.motion, motion => motion.taken(self.start, self.length).at(time))
     }
 
+    fn tolerance(&self) -> Option<f64> {
+        Some(self.tolerance)
+    }
+
     fn heads_for(&mut self, end: f64) {
         with!(&mut self.motion, motion => motion.heads_for(end));
     }

@@ -32,7 +32,7 @@ impl Substance {
 }
 
 const INERTIAL: [&str; 4] = ["mass", "diaginertia", "fullinertia", "class"];
-const GEOM: [&str; 9] = [
+pub const GEOM: [&str; 9] = [
     "name",
     "class",
     "type",
@@ -44,7 +44,7 @@ const GEOM: [&str; 9] = [
     "mesh",
 ];
 /// Attributes of geoms that concern appearance and contact only.
-const LOOKS: [&str; 21] = [
+pub const LOOKS: [&str; 22] = [
     "contype",
     "conaffinity",
     "condim",
@@ -66,6 +66,7 @@ const LOOKS: [&str; 21] = [
     "adhesion",
     "surfacevel",
     "octree",
+    "castshadow",
 ];
 const TYPES: [&str; 9] = [
     "sphere",
@@ -90,15 +91,16 @@ impl Reader<'_> {
     ) -> Vec<Part> {
         let uses_geoms = settings.from_geoms.unwrap_or(inertial.is_none());
         let mut found = Vec::new();
-        if let Some(node) = inertial.filter(|_| !uses_geoms) {
-            found.extend(self.inertial(node, settings));
-        }
         for geom in geoms {
             let element = classes.of(*geom, class, self);
             self.check_names(&element, &[&GEOM, &LOOKS, &PLACE]);
             if uses_geoms {
                 found.extend(self.geom(&element, settings));
             }
+        }
+        // where geoms count but none has mass, `<inertial>` remains
+        if let Some(node) = inertial.filter(|_| found.is_empty()) {
+            found.extend(self.inertial(node, settings));
         }
         let parts = found.iter().filter_map(|one| one.part(self));
         parts.collect()
@@ -160,13 +162,22 @@ impl Reader<'_> {
             );
         };
         let hollow = "the mass of a geom fills it: write `<inertial>`";
-        self.refuse(element, &[("shellinertia", &["0", "false"], hollow)]);
+        self.refuse(element, &[("shellinertia", &["false"], hollow)]);
+        let group = self.single(element, "group", "0").value();
+        let [first, last] = settings.groups;
+        if group < first || group > last {
+            return None;
+        }
         let density = self.single(element, "density", "1000");
         let mass = element
             .has("mass")
             .then(|| self.single(element, "mass", "0"));
         if mass.as_ref().unwrap_or(&density).is_zero() || matches!(word, "plane" | "hfield") {
             return None;
+        }
+        if kind < 5 && element.has("mesh") {
+            let message = "a solid that is fitted to a mesh is not computed here: leave `mesh` out, or write `<inertial>`";
+            return self.report(node, message);
         }
         if kind > 4 {
             let message =
@@ -200,6 +211,10 @@ impl Reader<'_> {
             let Place { place, turns } = self.place(element, settings);
             return Some((tuple(&place), turned_inertia(&turns), None));
         }
+        if element.has("pos") {
+            let message = "`fromto` says where it is already: leave `pos` out";
+            return self.report(element.node, message);
+        }
         if word == "sphere" {
             return self.report(element.node, "a sphere has no `fromto`");
         }
@@ -211,7 +226,7 @@ impl Reader<'_> {
         let squares =
             pairs().map(|(a, b)| format!("({} - ({})).powi(2)", a.literal(), b.literal()));
         let squares: Vec<String> = squares.collect();
-        if pairs().all(|(a, b)| is_same(a, b)) {
+        if pairs().all(|(a, b)| a.is_same(b)) {
             return self.report(element.node, "`fromto`: both ends are in one place");
         }
         let turns = along(from, to);
@@ -245,15 +260,10 @@ impl Reader<'_> {
     }
 }
 
-fn is_same(a: &Decimal, b: &Decimal) -> bool {
-    // adding zero removes the sign of a negative zero
-    (a.value() + 0.0).to_bits() == (b.value() + 0.0).to_bits()
-}
-
 /// The rotation that takes z to the line through two points.
 fn along(from: &[Decimal], to: &[Decimal]) -> String {
     let is_along =
-        |axis: usize| (0..3).all(|other| (is_same(&from[other], &to[other])) == (other != axis));
+        |axis: usize| (0..3).all(|other| from[other].is_same(&to[other]) == (other != axis));
     let unit = (0..3).find(|axis| is_along(*axis));
     if unit == Some(2) {
         return String::new();

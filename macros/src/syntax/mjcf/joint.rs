@@ -43,7 +43,7 @@ const MOTIONS: [(&str, Motion); 4] = [
     ("ball", Motion::Ball),
     ("free", Motion::Free),
 ];
-const KNOWN: [&str; 11] = [
+pub const KNOWN: [&str; 11] = [
     "name",
     "class",
     "type",
@@ -57,7 +57,7 @@ const KNOWN: [&str; 11] = [
     "frictionloss",
 ];
 /// Attributes that do not affect the motion, since limits are not modelled.
-const SKIPPED: [&str; 13] = [
+pub const SKIPPED: [&str; 13] = [
     "springdamper",
     "solreflimit",
     "solimplimit",
@@ -96,10 +96,11 @@ impl Reader<'_> {
         settings: &Settings,
     ) -> Option<Joint> {
         let element = classes.of(node, class, self);
-        self.check_names(&element, &[&KNOWN, &SKIPPED, &["align"]]);
         let kind = if node.tag_name().name() == "freejoint" {
+            self.check_names(&element, &[&["name", "class", "group", "align"]]);
             Motion::Free
         } else {
+            self.check_names(&element, &[&KNOWN, &SKIPPED]);
             self.motion(&element)?
         };
         self.refuse_loads(&element, kind);

@@ -5,7 +5,7 @@ use roxmltree::Node;
 use crate::syntax::xml::decimal::Decimal;
 use crate::syntax::xml::reader::Reader;
 
-use super::element::bare;
+use super::element::{Element, bare};
 
 /// How a file is interpreted.
 pub struct Settings {
@@ -16,6 +16,8 @@ pub struct Settings {
     /// Whether all bodies take their mass from geoms, or none does. By default, bodies without
     /// `<inertial>` do.
     pub from_geoms: Option<bool>,
+    /// The first and the last group of the geoms that have mass.
+    pub groups: [f64; 2],
     pub gravity: Option<[Decimal; 3]>,
     pub has_gravity: bool,
 }
@@ -27,15 +29,27 @@ impl Default for Settings {
             order: [0, 1, 2],
             is_fixed: false,
             from_geoms: None,
+            groups: [0.0, 5.0],
             gravity: None,
             has_gravity: true,
         }
     }
 }
 
-const NOTHING: [&str; 2] = ["0", "false"];
+/// Attributes of `<compiler>` that change the motion or how the file is interpreted.
+const COMPILER: [&str; 9] = [
+    "angle",
+    "coordinate",
+    "eulerseq",
+    "inertiafromgeom",
+    "inertiagrouprange",
+    "balanceinertia",
+    "boundmass",
+    "boundinertia",
+    "settotalmass",
+];
 /// Attributes of `<compiler>` that do not affect the motion.
-const SKIPPED: [&str; 13] = [
+const SKIPPED: [&str; 17] = [
     "autolimits",
     "strippath",
     "meshdir",
@@ -48,10 +62,59 @@ const SKIPPED: [&str; 13] = [
     "exactmeshinertia",
     "saveinertial",
     "alignfree",
-    "inertiagrouprange",
+    "conflict",
+    "fitaabb",
+    "passthrough",
+    "savecanonical",
+    "savecompiled",
+];
+/// Attributes of `<option>` that change the motion.
+const OPTION: [&str; 5] = [
+    "gravity",
+    "density",
+    "viscosity",
+    "wind",
+    "actuatorgroupdisable",
+];
+/// Attributes of `<option>` that do not affect forward dynamics in continuous time.
+const SOLVER: [&str; 25] = [
+    "timestep",
+    "apirate",
+    "impratio",
+    "integrator",
+    "cone",
+    "jacobian",
+    "solver",
+    "iterations",
+    "tolerance",
+    "ls_iterations",
+    "ls_tolerance",
+    "noslip_iterations",
+    "noslip_tolerance",
+    "ccd_iterations",
+    "ccd_tolerance",
+    "mpr_iterations",
+    "mpr_tolerance",
+    "sdf_iterations",
+    "sdf_initpoints",
+    "sleep_tolerance",
+    "magnetic",
+    "o_margin",
+    "o_solref",
+    "o_solimp",
+    "o_friction",
+];
+/// Flags that can only be on.
+const ON: [&str; 6] = [
+    "constraint",
+    "equality",
+    "spring",
+    "damper",
+    "passive",
+    "actuation",
 ];
 /// Flags that do not affect forward dynamics, since contact and limits are not modelled.
-const FLAGS: [&str; 16] = [
+const FLAGS: [&str; 22] = [
     "contact",
     "limit",
     "frictionloss",
@@ -68,44 +131,40 @@ const FLAGS: [&str; 16] = [
     "multiccd",
     "island",
     "refsafe",
+    "diagexact",
+    "invdiscrete",
+    "ipc",
+    "override",
+    "sleep",
+    "speculative",
 ];
 
 impl Reader<'_> {
     /// `<compiler>`
     pub fn compiler(&mut self, node: Node<'_, '_>, settings: &mut Settings) {
         let element = bare(node);
-        let own = [
-            "angle",
-            "coordinate",
-            "eulerseq",
-            "inertiafromgeom",
-            "balanceinertia",
-            "boundmass",
-            "boundinertia",
-            "settotalmass",
-        ];
-        self.check_names(&element, &[&own, &SKIPPED]);
+        self.check_names(&element, &[&COMPILER, &SKIPPED]);
+        self.parts(node, &[], &["lengthrange"]);
         let changes = "masses and inertias are those of the file: write them as they are";
         self.refuse(
             &element,
             &[
-                ("balanceinertia", &NOTHING, changes),
-                ("boundmass", &NOTHING, changes),
-                ("boundinertia", &NOTHING, changes),
-                ("settotalmass", &["-1"], changes),
+                ("balanceinertia", &["false"], changes),
+                ("boundmass", &["0"], changes),
+                ("boundinertia", &["0"], changes),
+                ("settotalmass", &["-1", "0"], changes),
                 ("coordinate", &["local"], "only local coordinates are read"),
-                (
-                    "inertiagrouprange",
-                    &["0", "5"],
-                    "geoms of all groups have mass",
-                ),
             ],
         );
-        if let Some(word) = self.word(node, "angle", &["degree", "radian"]) {
+        if let Some(word) = self.word(&element, "angle", &["degree", "radian"]) {
             settings.is_radian = word == 1;
         }
-        if let Some(word) = self.word(node, "inertiafromgeom", &["false", "true", "auto"]) {
+        if let Some(word) = self.word(&element, "inertiafromgeom", &["false", "true", "auto"]) {
             settings.from_geoms = (word < 2).then_some(word == 1);
+        }
+        if element.has("inertiagrouprange") {
+            let range = self.list(&element, "inertiagrouprange", 2..=2, "0 5");
+            settings.groups = [0, 1].map(|end| range[end].value());
         }
         if let Some(text) = node.attribute("eulerseq") {
             self.order(node, text, settings);
@@ -127,13 +186,13 @@ impl Reader<'_> {
     }
 
     /// The index of a word among the permitted values of an attribute.
-    pub fn word(&mut self, node: Node<'_, '_>, name: &str, known: &[&str]) -> Option<usize> {
-        let text = node.attribute(name)?;
+    pub fn word(&mut self, element: &Element<'_, '_>, name: &str, known: &[&str]) -> Option<usize> {
+        let text = element.get(name)?;
         let found = known.iter().position(|word| *word == text);
         if found.is_none() {
             let all = known.join("`, `");
             self.report::<()>(
-                node,
+                element.node,
                 format!("`{name}` is one of `{all}`, and this is `{text}`"),
             );
         }
@@ -143,31 +202,42 @@ impl Reader<'_> {
     /// `<option>`
     pub fn option(&mut self, node: Node<'_, '_>, settings: &mut Settings) {
         let element = bare(node);
+        self.check_names(&element, &[&OPTION, &SOLVER]);
         let fluid = "forces of a fluid are not read: write them in `forces` and `moments`";
         self.refuse(
             &element,
             &[
-                ("density", &NOTHING, fluid),
-                ("viscosity", &NOTHING, fluid),
-                ("wind", &NOTHING, fluid),
+                ("density", &["0"], fluid),
+                ("viscosity", &["0"], fluid),
+                ("wind", &["0"], fluid),
+                (
+                    "actuatorgroupdisable",
+                    &[],
+                    "all actuators act: leave out those that do not",
+                ),
             ],
         );
         if element.has("gravity") {
             settings.gravity = Some(self.triple(&element, "gravity", "0 0 -9.81"));
         }
         for flag in self.parts(node, &["flag"], &[]) {
-            for attribute in flag.attributes() {
-                let is_on = attribute.value() == "enable";
-                match attribute.name() {
-                    "gravity" => settings.has_gravity = is_on,
-                    name if FLAGS.contains(&name) || is_on => {}
-                    name => {
-                        let message = format!(
-                            "`{name}` cannot be switched off here: leave out what it is about"
-                        );
-                        self.report::<()>(flag, message);
-                    }
-                }
+            self.flags(flag, settings);
+        }
+    }
+
+    /// `<flag>`
+    fn flags(&mut self, node: Node<'_, '_>, settings: &mut Settings) {
+        let element = bare(node);
+        self.check_names(&element, &[&["gravity"], &ON, &FLAGS]);
+        for attribute in node.attributes() {
+            let name = attribute.name();
+            let is_off = self.word(&element, name, &["enable", "disable"]) == Some(1);
+            if name == "gravity" {
+                settings.has_gravity = !is_off;
+            } else if ON.contains(&name) && is_off {
+                let message =
+                    format!("`{name}` cannot be switched off here: leave out what it is about");
+                self.report::<()>(node, message);
             }
         }
     }

@@ -97,6 +97,12 @@ impl Decimal {
         format!("{sign}{zero}{digits}")
     }
 
+    /// Whether both are the same double; the sign of zero does not matter.
+    pub fn is_same(&self, other: &Self) -> bool {
+        // adding zero removes the sign of a negative zero
+        (self.value() + 0.0).to_bits() == (other.value() + 0.0).to_bits()
+    }
+
     /// The nearest double.
     pub fn value(&self) -> f64 {
         self.text().parse().unwrap_or(f64::NAN)

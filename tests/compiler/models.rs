@@ -13,7 +13,7 @@ use mounted::expand::expand_system;
 use mounted::syntax;
 
 /// The path of a file with this text; tests that run at once have files of their own.
-fn written(name: &str, text: &[u8]) -> String {
+pub fn written(name: &str, text: &[u8]) -> String {
     let thread = format!("{:?}", std::thread::current().id());
     let number: String = thread.chars().filter(char::is_ascii_digit).collect();
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
@@ -55,11 +55,11 @@ fn check(inside: &str, expected: &[&str]) {
 }
 
 /// A body on a hinge, with something in it.
-fn body(inside: &str) -> String {
+pub fn body(inside: &str) -> String {
     format!("<worldbody><body name=\"a\">\n<joint name=\"j\"/>{inside}</body></worldbody>")
 }
 
-const BALL: &str = "<geom size=\"0.1\"/>";
+pub const BALL: &str = "<geom size=\"0.1\"/>";
 
 #[test]
 fn what_is_wrong_with_bodies_is_said() {

@@ -21,6 +21,7 @@ mod numbers;
 mod operations;
 mod printed;
 mod rooms;
+mod same_models;
 mod symbols;
 mod trees;
 mod words;

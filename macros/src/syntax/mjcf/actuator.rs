@@ -29,7 +29,7 @@ pub struct Actuator {
     extent: Extent,
 }
 
-const KNOWN: [&str; 8] = [
+pub const KNOWN: [&str; 10] = [
     "name",
     "class",
     "joint",
@@ -37,10 +37,12 @@ const KNOWN: [&str; 8] = [
     "tendon",
     "gear",
     "group",
-    "dyntype",
+    "armature",
+    "damping",
+    "delay",
 ];
 /// Attributes that do not affect the motion, since limits are not modelled.
-const SKIPPED: [&str; 11] = [
+pub const SKIPPED: [&str; 14] = [
     "ctrllimited",
     "ctrlrange",
     "forcelimited",
@@ -52,14 +54,38 @@ const SKIPPED: [&str; 11] = [
     "user",
     "nsample",
     "actdim",
+    "actearly",
+    "cranklength",
+    "interp",
 ];
 /// The supported kinds, with their attributes.
-const KINDS: [(&str, &[&str]); 5] = [
+pub const KINDS: [(&str, &[&str]); 5] = [
     ("motor", &[]),
     ("position", &["kp", "kv", "dampratio", "timeconst"]),
     ("velocity", &["kv"]),
     ("damper", &["kv"]),
-    ("general", &["gaintype", "gainprm", "biastype", "biasprm"]),
+    (
+        "general",
+        &[
+            "gaintype", "gainprm", "biastype", "biasprm", "dyntype", "dynprm",
+        ],
+    ),
+];
+/// The tags of all kinds.
+pub const ACTUATORS: [&str; 13] = [
+    "motor",
+    "position",
+    "velocity",
+    "damper",
+    "general",
+    "intvelocity",
+    "orientation",
+    "pid",
+    "cylinder",
+    "muscle",
+    "adhesion",
+    "dcmotor",
+    "plugin",
 ];
 
 impl Reader<'_> {
@@ -88,20 +114,38 @@ impl Reader<'_> {
         }
     }
 
-    /// In `MuJoCo`, all actuators share one set of defaults. So attributes that a class gives to
-    /// another kind count too, except for kinds that set all of their gains themselves.
+    /// In `MuJoCo`, all actuators share one set of defaults. So what a class says of another kind
+    /// counts too, except for what an actuator says itself: a motor and a damper say all that they
+    /// do.
     fn check_classes(&mut self, node: Node<'_, '_>, classes: &Classes) {
         let tag = node.tag_name().name();
-        for (kind, own) in KINDS.iter().filter(|(kind, _)| *kind != tag) {
-            let all = classes.given(node, kind);
-            let own = if ["motor", "damper"].contains(&tag) {
-                &[][..]
-            } else {
-                own
+        let says = |all: &[&str]| all.iter().all(|name| node.has_attribute(*name));
+        let says_all = match tag {
+            "motor" | "damper" => true,
+            "position" => says(&["kp", "kv"]),
+            "velocity" => says(&["kv"]),
+            _ => false,
+        };
+        for kind in ACTUATORS.iter().filter(|kind| **kind != tag) {
+            let Some(all) = classes.given(node, kind) else {
+                continue;
             };
-            let matters = own.iter().chain(&["gear", "dyntype"]);
-            let mut matters = matters.copied();
-            if let Some(word) = matters.find(|name| all.contains(name)) {
+            let law = KINDS.iter().find(|(known, _)| known == kind);
+            let has_law = match law {
+                // a motor leaves gains as they are by default
+                Some((_, law)) if tag != "general" || *kind == "motor" => {
+                    law.iter().any(|name| all.contains(name))
+                }
+                _ => true,
+            };
+            let shared = ["gear", "armature", "damping", "delay"];
+            let mut shared = shared.iter().filter(|name| all.contains(name));
+            if has_law && !says_all {
+                let message = format!(
+                    "its class says what a `<{kind}>` does, which `MuJoCo` takes for all actuators: give it another class"
+                );
+                self.report::<()>(node, message);
+            } else if let Some(word) = shared.find(|name| !node.has_attribute(**name)) {
                 let message = format!(
                     "its class says `{word}` of `<{kind}>`, which `MuJoCo` takes for all actuators: write it here"
                 );
@@ -119,12 +163,17 @@ impl Reader<'_> {
         let node = element.node;
         let slow = "actuators with a state of their own are not read";
         let relative = "damping by a ratio is not read: write `kv`";
+        let late = "inputs that act later are not read: give the input at the time when it acts";
+        let added = "what an actuator adds to its joint is not read: write it at the joint";
         self.refuse(
             element,
             &[
                 ("dyntype", &["none"], slow),
                 ("timeconst", &["0"], slow),
                 ("dampratio", &["0"], relative),
+                ("delay", &["0"], late),
+                ("armature", &["0"], added),
+                ("damping", &["0"], added),
             ],
         );
         let joint = element.get("joint").or(element.get("jointinparent"));

@@ -8,7 +8,8 @@ use crate::syntax::xml::reader::Reader;
 
 use super::body::Body;
 use super::describe::Writer;
-use super::element::bare;
+use super::element::{Classes, Element};
+use super::equality::EQUALITY;
 use super::length::{Length, Term};
 use super::tendon::Tendon;
 
@@ -21,35 +22,34 @@ pub struct Coupling {
     extent: Extent,
 }
 
-const KNOWN: [&str; 10] = [
-    "name", "class", "active", "solref", "solimp", "joint1", "joint2", "tendon1", "tendon2",
-    "polycoef",
-];
+const KNOWN: [&str; 5] = ["joint1", "joint2", "tendon1", "tendon2", "polycoef"];
 
 impl Reader<'_> {
     pub fn couplings(
         &mut self,
         node: Node<'_, '_>,
+        classes: &Classes,
         (bodies, tendons): (&[Body], &[Tendon]),
         found: &mut Vec<Coupling>,
     ) {
         for node in node.children() {
-            let is_coupling = ["joint", "tendon"].contains(&node.tag_name().name());
-            if is_coupling && node.attribute("active") != Some("false") {
+            if ["joint", "tendon"].contains(&node.tag_name().name())
+                && let Some(element) = self.active(node, classes)
+            {
                 let number = found.len() + 1;
-                found.extend(self.coupling(node, number, (bodies, tendons)));
+                found.extend(self.coupling(&element, number, (bodies, tendons)));
             }
         }
     }
 
     fn coupling(
         &mut self,
-        node: Node<'_, '_>,
+        element: &Element<'_, '_>,
         number: usize,
         (bodies, tendons): (&[Body], &[Tendon]),
     ) -> Option<Coupling> {
-        let element = bare(node);
-        self.check_names(&element, &[&KNOWN]);
+        let node = element.node;
+        self.check_names(element, &[&EQUALITY, &KNOWN]);
         let tag = node.tag_name().name();
         let [first, second] = [1, 2].map(|end| format!("{tag}{end}"));
         let first = self.attribute(node, &first)?.to_owned();
@@ -70,7 +70,7 @@ impl Reader<'_> {
                 lengths.push(self.tendon_named(node, name, tendons)?.length.clone());
             }
         }
-        let polynomial = self.list(&element, "polycoef", 1..=5, "0 1 0 0 0");
+        let polynomial = self.list(element, "polycoef", 1..=5, "0 1 0 0 0");
         let name = node.attribute("name");
         let mut lengths = lengths.into_iter();
         Some(Coupling {

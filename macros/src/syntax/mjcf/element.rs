@@ -33,17 +33,59 @@ pub struct Classes(BTreeMap<String, BTreeMap<String, Attributes>>);
 
 /// The class of elements that name none.
 const MAIN: &str = "main";
-/// The tags that a class may contain, and the supported attributes of each.
-const TAGS: [&str; 8] = [
-    "joint", "geom", "motor", "position", "velocity", "damper", "general", "tendon",
+/// Rotations of a body or a geom. One that is written replaces any other that a class gives.
+pub const TURNS: [&str; 5] = ["quat", "axisangle", "euler", "xyaxes", "zaxis"];
+/// Lists that may be shorter than those of the class, which give the numbers that are missing.
+const FILLED: [&str; 7] = [
+    "size",
+    "gear",
+    "gainprm",
+    "biasprm",
+    "dynprm",
+    "damping",
+    "stiffness",
 ];
+/// Elements of classes that do not affect the motion.
+const SKIPPED: [&str; 7] = [
+    "mesh", "texture", "material", "site", "camera", "light", "pair",
+];
+/// Attributes that say what an actuator does. All kinds of actuators share them, so one kind
+/// resets those of all others; only `general` leaves them as they are.
+const LAW: [&str; 10] = [
+    "kp",
+    "kv",
+    "dampratio",
+    "timeconst",
+    "gaintype",
+    "gainprm",
+    "biastype",
+    "biasprm",
+    "dyntype",
+    "dynprm",
+];
+
+/// The tags that a class may contain.
+pub struct Tags<'t> {
+    /// The supported ones, each with its known attributes.
+    pub known: &'t [(&'t str, &'t [&'t [&'t str]])],
+    /// All kinds of actuators, also those that are not read.
+    pub actuators: &'t [&'t str],
+}
 
 impl Classes {
     /// Reads a `<default>` and those inside it.
-    pub fn read(&mut self, root: Node<'_, '_>, reader: &mut Reader<'_>) {
+    pub fn read(&mut self, root: Node<'_, '_>, all: &Tags<'_>, reader: &mut Reader<'_>) {
+        let mut expected: Vec<&str> = all.known.iter().map(|(tag, _)| *tag).collect();
+        expected.extend(all.actuators);
+        expected.push("default");
         let mut pending = vec![(root, None::<String>)];
         while let Some((node, around)) = pending.pop() {
             let class = match (node.attribute("class"), &around) {
+                (Some(class), None) if class != MAIN => {
+                    let message = format!("the outermost class is `{MAIN}`, and this is `{class}`");
+                    reader.report::<()>(node, message);
+                    continue;
+                }
                 (Some(class), _) => class.to_owned(),
                 (None, None) => MAIN.to_owned(),
                 (None, Some(_)) => {
@@ -54,14 +96,23 @@ impl Classes {
             let around = around.and_then(|around| self.0.get(&around).cloned());
             let known = self.0.get(&class).cloned();
             let mut tags = known.or(around).unwrap_or_default();
-            for child in node.children().filter(Node::is_element) {
+            for child in reader.parts(node, &expected, &SKIPPED) {
                 let tag = child.tag_name().name();
                 if tag == "default" {
                     pending.push((child, Some(class.clone())));
-                } else if TAGS.contains(&tag) {
-                    let into = tags.entry(tag.to_owned()).or_default();
-                    overlay(into, child);
+                    continue;
                 }
+                if let Some((_, names)) = all.known.iter().find(|(known, _)| *known == tag) {
+                    reader.check_attributes(child, &names.concat());
+                }
+                if tag != "general" && all.actuators.contains(&tag) {
+                    let others = tags.iter_mut();
+                    let others = others.filter(|(other, _)| {
+                        other.as_str() != tag && all.actuators.contains(&other.as_str())
+                    });
+                    others.for_each(|(_, law)| law.retain(|name, _| !LAW.contains(&name.as_str())));
+                }
+                overlay(tags.entry(tag.to_owned()).or_default(), child);
             }
             self.0.insert(class, tags);
         }
@@ -87,12 +138,11 @@ impl Classes {
         self.of_class(node, (None, tag), reader)
     }
 
-    /// The attributes that the class of an element gives to another tag.
-    pub fn given(&self, node: Node<'_, '_>, tag: &str) -> Vec<&str> {
+    /// The attributes that the class of an element gives to another tag, if it has that tag.
+    pub fn given(&self, node: Node<'_, '_>, tag: &str) -> Option<Vec<&str>> {
         let class = node.attribute("class").unwrap_or(MAIN);
-        let known = self.0.get(class).and_then(|tags| tags.get(tag));
-        let known = known.into_iter().flat_map(Attributes::keys);
-        known.map(String::as_str).collect()
+        let known = self.0.get(class)?.get(tag)?;
+        Some(known.keys().map(String::as_str).collect())
     }
 
     fn of_class<'n, 'd>(
@@ -131,15 +181,33 @@ pub fn bare<'n, 'd>(node: Node<'n, 'd>) -> Element<'n, 'd> {
     Element { node, attributes }
 }
 
+/// Writes the attributes of an element over those of its class.
 fn overlay(into: &mut Attributes, node: Node<'_, '_>) {
+    if TURNS.iter().any(|name| node.has_attribute(*name)) {
+        into.retain(|name, _| !TURNS.contains(&name.as_str()));
+    }
     for attribute in node.attributes() {
-        into.insert(attribute.name().to_owned(), attribute.value().to_owned());
+        let (name, mut value) = (attribute.name(), attribute.value().to_owned());
+        if let Some(around) = into.get(name).filter(|_| FILLED.contains(&name)) {
+            let count = value.split_whitespace().count();
+            let missing = around.split_whitespace().skip(count);
+            value.extend(missing.flat_map(|part| [" ", part]));
+        }
+        into.insert(name.to_owned(), value);
     }
 }
 
+/// Whether a text has only this word; numbers are compared by their values.
+fn says_only(text: &str, word: &str) -> bool {
+    let number = |text: &str| text.parse::<f64>().ok();
+    let is_same =
+        |part: &str| part == word || number(part).is_some_and(|value| number(word) == Some(value));
+    text.split_whitespace().all(is_same)
+}
+
 impl Reader<'_> {
-    /// The numbers of an attribute. Default numbers replace an attribute that is missing, or is
-    /// wrong and reported.
+    /// The numbers of an attribute. If there are fewer than in the default, the default gives the
+    /// rest. Default numbers replace an attribute that is missing, or is wrong and reported.
     pub fn list(
         &mut self,
         element: &Element<'_, '_>,
@@ -150,10 +218,10 @@ impl Reader<'_> {
         let text = element.get(name).unwrap_or(default);
         let found: Vec<&str> = text.split_whitespace().collect();
         let (least, most) = (*count.start(), *count.end());
+        let rest = default.split_whitespace().skip(found.len());
         if count.contains(&found.len()) {
-            let all = found
-                .iter()
-                .map(|text| self.decimal(element.node, name, text));
+            let all = found.iter().copied().chain(rest);
+            let all = all.map(|text| self.decimal(element.node, name, text));
             let all: Vec<Option<Decimal>> = all.collect();
             if let Some(all) = all.into_iter().collect::<Option<Vec<_>>>() {
                 return all;
@@ -237,17 +305,14 @@ impl Reader<'_> {
     }
 
     /// Rejects attributes that would change the motion, unless they have one of their neutral
-    /// values.
+    /// values. Each number of a list is compared with a neutral number.
     pub fn refuse(&mut self, element: &Element<'_, '_>, all: &[(&str, &[&str], &str)]) {
         for (name, nothing, why) in all {
             let Some(text) = element.get(name) else {
                 continue;
             };
-            let says = text.split_whitespace().any(|part| {
-                let is_zero = part.parse().is_ok_and(|value: f64| value == 0.0);
-                !(nothing.contains(&part) || is_zero && nothing.contains(&"0"))
-            });
-            if says {
+            let is_neutral = nothing.iter().any(|word| says_only(text, word));
+            if !is_neutral && !text.trim().is_empty() {
                 self.report::<()>(element.node, format!("`{name}`: {why}"));
             }
         }

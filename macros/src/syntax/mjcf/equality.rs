@@ -3,11 +3,12 @@
 use roxmltree::Node;
 
 use crate::errors::Extent;
+use crate::syntax::xml::decimal::Decimal;
 use crate::syntax::xml::reader::Reader;
 
 use super::body::Body;
 use super::describe::Writer;
-use super::element::bare;
+use super::element::{Classes, Element};
 use super::place::{inverse, product, rotate};
 
 /// A connection of two bodies: points of both, and the rotation of the second relative to the
@@ -22,21 +23,10 @@ pub struct Closing {
     extent: Extent,
 }
 
-const KNOWN: [&str; 13] = [
-    "name",
-    "class",
-    "active",
-    "solref",
-    "solimp",
-    "body1",
-    "body2",
-    "anchor",
-    "site1",
-    "site2",
-    "relpose",
-    "torquescale",
-    "user",
-];
+/// Attributes of all equalities. `solref` and `solimp` make them soft, and here they hold exactly.
+pub const EQUALITY: [&str; 5] = ["name", "class", "active", "solref", "solimp"];
+const CONNECT: [&str; 5] = ["body1", "body2", "anchor", "site1", "site2"];
+const WELD: [&str; 2] = ["relpose", "torquescale"];
 /// The rounding error of lengths of about one.
 const ROUNDING: f64 = 1e-15;
 
@@ -46,38 +36,43 @@ impl Reader<'_> {
     pub fn closings(
         &mut self,
         node: Node<'_, '_>,
-        bodies: &[Body],
-        poses: &[Pose],
+        classes: &Classes,
+        (bodies, poses): (&[Body], &[Pose]),
         found: &mut Vec<Closing>,
     ) {
         let parts = self.parts(node, &["connect", "weld", "joint", "tendon"], &[]);
         let is_closing =
             |node: &Node<'_, '_>| ["connect", "weld"].contains(&node.tag_name().name());
         for node in parts.into_iter().filter(is_closing) {
-            if node.attribute("active") != Some("false") {
-                found.extend(self.closing(node, found.len(), (bodies, poses)));
+            if let Some(element) = self.active(node, classes) {
+                found.extend(self.closing(&element, found.len(), (bodies, poses)));
             }
         }
     }
 
+    /// An equality with the attributes of its class; `None` if it is switched off.
+    pub fn active<'n, 'd>(
+        &mut self,
+        node: Node<'n, 'd>,
+        classes: &Classes,
+    ) -> Option<Element<'n, 'd>> {
+        let element = classes.of_tag(node, "equality", self);
+        let is_off = self.word(&element, "active", &["true", "false"]) == Some(1);
+        (!is_off).then_some(element)
+    }
+
     fn closing(
         &mut self,
-        node: Node<'_, '_>,
+        element: &Element<'_, '_>,
         number: usize,
         (bodies, poses): (&[Body], &[Pose]),
     ) -> Option<Closing> {
-        let element = bare(node);
-        self.check_names(&element, &[&KNOWN]);
+        let node = element.node;
+        let is_weld = node.tag_name().name() == "weld";
+        let own = if is_weld { &WELD[..] } else { &[] };
+        self.check_names(element, &[&EQUALITY, &CONNECT, own]);
         let sites = "places are written by `body1`, `body2` and `anchor`";
-        let relative = "a weld holds bodies as they are drawn: leave it out";
-        self.refuse(
-            &element,
-            &[
-                ("site1", &[], sites),
-                ("site2", &[], sites),
-                ("relpose", &["0", "1"], relative),
-            ],
-        );
+        self.refuse(element, &[("site1", &[], sites), ("site2", &[], sites)]);
         let first = self.attribute(node, "body1")?.to_owned();
         let first = self.body_named(node, &first, bodies)?;
         let second = match element.get("body2") {
@@ -91,24 +86,46 @@ impl Reader<'_> {
             clean(rotate(inverse(turned), from))
         };
         let (one, two) = (pose(first), pose(second));
-        let is_weld = node.tag_name().name() == "weld";
-        let (place, turned) = if is_weld {
-            (two.0, Some(product(inverse(one.1), two.1)))
-        } else {
+        if !is_weld {
             self.attribute(node, "anchor")?;
-            let anchor = self.triple(&element, "anchor", "0 0 0");
-            let anchor = rotate(one.1, [0, 1, 2].map(|part| anchor[part].value()));
-            ([0, 1, 2].map(|part| one.0[part] + anchor[part]), None)
-        };
+        }
+        let anchor = self.triple(element, "anchor", "0 0 0");
+        let anchor = anchor.map(|part| part.value());
+        // the anchor of a weld is fixed in the second body, and that of a connection in the first
+        let (origin, turned) = if is_weld { two } else { one };
+        let from = rotate(turned, anchor);
+        let place = [0, 1, 2].map(|part| origin[part] + from[part]);
+        let mut points = [of(one, place), of(two, place)];
+        let mut turned = is_weld.then(|| product(inverse(one.1), two.1));
+        if let Some((place, relative)) = self.relative(element).filter(|_| is_weld) {
+            points = [place, anchor];
+            turned = Some(relative);
+        }
+        let held = self.single(element, "torquescale", "1");
+        if held.is_negative() && !held.is_zero() {
+            return self.report(node, "`torquescale` is at least 0");
+        }
+        // without torque, a weld holds only its anchor
+        let turned = turned.filter(|_| !held.is_zero());
         let word = node.attribute("name");
         let word = word.map_or_else(|| format!("closing_{}", number + 1), str::to_owned);
         Some(Closing {
             name: word,
             bodies: [first, second],
-            points: [of(one, place), of(two, place)],
+            points,
             turned,
             extent: self.at(node),
         })
+    }
+
+    /// The place of the anchor in the first body, and the rotation of the second body relative to
+    /// the first; `None` for those of the drawn pose, which a rotation of zeros stands for.
+    fn relative(&mut self, element: &Element<'_, '_>) -> Option<Pose> {
+        let all = self.list(element, "relpose", 7..=7, "0 0 0 0 0 0 0");
+        let is_drawn = all[3..].iter().all(Decimal::is_zero);
+        let value = |part: usize| all[part].value();
+        let pose = ([0, 1, 2].map(value), [3, 4, 5, 6].map(value));
+        (!is_drawn).then_some(pose)
     }
 
     #[allow(clippy::option_option, reason = "outer: reported; inner: the world")]

@@ -25,12 +25,12 @@ use crate::errors::{Errors, Extent};
 use super::xml::names::Names;
 use super::xml::reader::Reader;
 use super::xml::{Beside, Described, document};
-use actuator::Actuator;
+use actuator::{ACTUATORS, Actuator, KINDS};
 use body::{Body, Reading, massive, poses};
 use coupling::Coupling;
 use describe::Writer;
-use element::Classes;
-use equality::Closing;
+use element::{Classes, Tags};
+use equality::{Closing, EQUALITY};
 use place::tuple;
 use settings::Settings;
 use tendon::Tendon;
@@ -55,6 +55,28 @@ const SKIPPED: [&str; 9] = [
     "custom",
     "extension",
 ];
+
+/// Reads a `<default>`, with the attributes that each of its elements may have.
+fn read_classes(node: Node<'_, '_>, classes: &mut Classes, reader: &mut Reader<'_>) {
+    let geom: [&[&str]; 3] = [&geom::GEOM, &geom::LOOKS, &place::PLACE];
+    let joint: [&[&str]; 2] = [&joint::KNOWN, &joint::SKIPPED];
+    let tendon: [&[&str]; 3] = [&tendon::KNOWN, &tendon::SKIPPED, &["width", "material"]];
+    let equality: [&[&str]; 1] = [&EQUALITY];
+    let kinds = KINDS.map(|(_, own)| [&actuator::KNOWN[..], &actuator::SKIPPED, own]);
+    let mut known: Vec<(&str, &[&[&str]])> = vec![
+        ("geom", &geom),
+        ("joint", &joint),
+        ("tendon", &tendon),
+        ("equality", &equality),
+    ];
+    let tags = KINDS.iter().zip(&kinds);
+    known.extend(tags.map(|((tag, _), names)| (*tag, &names[..])));
+    let tags = Tags {
+        known: &known,
+        actuators: &ACTUATORS,
+    };
+    classes.read(node, &tags, reader);
+}
 
 /// The content of a file.
 struct Model {
@@ -117,7 +139,7 @@ impl Beside<'_> {
         let (mut settings, mut classes) = (Settings::default(), Classes::default());
         of("compiler").for_each(|node| reader.compiler(node, &mut settings));
         of("option").for_each(|node| reader.option(node, &mut settings));
-        of("default").for_each(|node| classes.read(node, reader));
+        of("default").for_each(|node| read_classes(node, &mut classes, reader));
         let mut reading = Reading {
             beside: self,
             classes: &classes,
@@ -139,9 +161,10 @@ impl Beside<'_> {
         let known = (&bodies[..], &tendons[..]);
         of("actuator").for_each(|node| reader.actuators(node, &classes, known, &mut actuators));
         let mut couplings = Vec::new();
-        of("equality").for_each(|node| reader.couplings(node, known, &mut couplings));
+        of("equality").for_each(|node| reader.couplings(node, &classes, known, &mut couplings));
         let (poses, mut closings) = (poses(&bodies), Vec::new());
-        of("equality").for_each(|node| reader.closings(node, &bodies, &poses, &mut closings));
+        let drawn = (&bodies[..], &poses[..]);
+        of("equality").for_each(|node| reader.closings(node, &classes, drawn, &mut closings));
         // after an error, bodies may lack mass only because their mass properties could not be read
         if reader.errors.is_empty() {
             self.check(&bodies, reader.errors);

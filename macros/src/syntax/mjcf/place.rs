@@ -5,7 +5,7 @@ use core::fmt::Write;
 use crate::syntax::xml::decimal::{Angle, Decimal};
 use crate::syntax::xml::reader::Reader;
 
-use super::element::Element;
+use super::element::{Element, TURNS};
 use super::settings::Settings;
 
 /// A rotation about an axis, as written and as numbers.
@@ -22,7 +22,7 @@ pub struct Place {
     pub turns: Vec<Turn>,
 }
 
-pub const PLACE: [&str; 6] = ["pos", "quat", "axisangle", "euler", "xyaxes", "zaxis"];
+pub const PLACE: [&str; 6] = ["pos", TURNS[0], TURNS[1], TURNS[2], TURNS[3], TURNS[4]];
 const UNITS: [&str; 3] = ["(1, 0, 0)", "(0, 1, 0)", "(0, 0, 1)"];
 
 impl Turn {
@@ -115,7 +115,7 @@ fn length(parts: &[Decimal]) -> (String, f64) {
 impl Reader<'_> {
     pub fn place(&mut self, element: &Element<'_, '_>, settings: &Settings) -> Place {
         let place = self.triple(element, "pos", "0 0 0");
-        let given = PLACE[1..].iter().filter(|name| element.has(name));
+        let given = TURNS.iter().filter(|name| element.has(name));
         let given: Vec<&str> = given.copied().collect();
         if let [_, second, ..] = given.as_slice() {
             let message = format!(

@@ -3,6 +3,7 @@
 use roxmltree::Node;
 
 use crate::errors::Extent;
+use crate::syntax::xml::decimal::Decimal;
 use crate::syntax::xml::reader::Reader;
 
 use super::body::Body;
@@ -20,7 +21,7 @@ pub struct Tendon {
     extent: Extent,
 }
 
-const KNOWN: [&str; 8] = [
+pub const KNOWN: [&str; 8] = [
     "name",
     "class",
     "group",
@@ -31,7 +32,7 @@ const KNOWN: [&str; 8] = [
     "armature",
 ];
 /// Attributes that do not affect the motion, since limits are not modelled.
-const SKIPPED: [&str; 11] = [
+pub const SKIPPED: [&str; 11] = [
     "limited",
     "range",
     "actuatorfrclimited",
@@ -87,7 +88,7 @@ impl Reader<'_> {
         let (damping, stiffness) = (given("damping"), given("stiffness"));
         let rest = self.list(&element, "springlength", 1..=2, "-1");
         if let [first, second] = rest.as_slice()
-            && first.text() != second.text()
+            && !first.is_same(second)
             && stiffness.is_some()
         {
             let message =
@@ -96,7 +97,7 @@ impl Reader<'_> {
         }
         let rest = match rest.first() {
             // -1 stands for the length at which the springs of its joints are at rest
-            Some(rest) if rest.text() != "-1" => rest.literal(),
+            Some(rest) if !rest.is_same(&Decimal::one(rest.extent).negated()) => rest.literal(),
             _ => length.rest().unwrap_or("0".to_owned()),
         };
         let name = node.attribute("name");

@@ -23,3 +23,7 @@ rigid_system!(Linkage {
 rigid_system!(Coupled {
     mjcf: "tests/mjcf/coupled.xml"
 });
+
+rigid_system!(Classes {
+    mjcf: "tests/mjcf/classes.xml"
+});

@@ -4,11 +4,14 @@
 mod described;
 mod printed;
 
-use described::{Arm, ArmInput, Coupled, CoupledInput, Linkage, Quadruped, QuadrupedInput, Swing};
+use described::{
+    Arm, ArmInput, Classes, ClassesInput, Coupled, CoupledInput, Linkage, Quadruped,
+    QuadrupedInput, Swing,
+};
 use newton_euler::prelude::*;
 use printed::{
-    ArmPrinted, ArmPrintedInput, CoupledPrinted, CoupledPrintedInput, LinkagePrinted,
-    QuadrupedPrinted, QuadrupedPrintedInput, SwingPrinted,
+    ArmPrinted, ArmPrintedInput, ClassesPrinted, ClassesPrintedInput, CoupledPrinted,
+    CoupledPrintedInput, LinkagePrinted, QuadrupedPrinted, QuadrupedPrintedInput, SwingPrinted,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -143,6 +146,21 @@ fn armatures_tendons_actuators_and_coordinates_that_follow_others() {
     let printed = CoupledPrinted::default();
     let same = compare("coupled", &printed, |given| {
         input!(CoupledPrintedInput, given)
+    });
+    assert_eq!(found, same);
+}
+
+#[test]
+fn classes_welds_with_poses_of_their_own_and_masses_of_some_groups() {
+    let found = compare("classes", &Classes::default(), |given| ClassesInput {
+        law: given[0],
+        servo: given[1],
+    });
+    let same = compare("classes", &ClassesPrinted::default(), |given| {
+        ClassesPrintedInput {
+            law: given[0],
+            servo: given[1],
+        }
     });
     assert_eq!(found, same);
 }

@@ -14,28 +14,40 @@ import mujoco
 import numpy as np
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
+MODELS = ("arm", "quadruped", "swing", "linkage", "coupled", "classes")
 LOCKED = {"swing": {"held": 0.05}}
 NAMES = {"linkage": {"crank": "crank_joint"}, "swing": {"": "body_3_joint"}}
 INPUTS = {
     "arm": ["pan_motor", "slip_motor"],
     "quadruped": ["thigh_1_motor", "motor_2"],
+    "classes": ["law", "servo"],
     "coupled": ["turn", "servo", "squeeze", "spindle", "brake", "law", "pull", "haul"],
 }
+
+
+def ends(model, data, closing):
+    """The places on both bodies that a connection or a weld holds together."""
+    is_weld = model.eq_type[closing] == mujoco.mjtEq.mjEQ_WELD
+    places = []
+    for body, at in zip((model.eq_obj1id[closing], model.eq_obj2id[closing]), (3, 0) if is_weld else (0, 3)):
+        local = model.eq_data[closing][at : at + 3]
+        places.append(data.xpos[body] + data.xmat[body].reshape(3, 3) @ local)
+    return places
+
+
+def is_turned(model, closing):
+    """Whether a connection or a weld holds rotations: a weld does, unless it has no torque."""
+    return model.eq_type[closing] == mujoco.mjtEq.mjEQ_WELD and model.eq_data[closing][10] != 0
 
 
 def held(model, data, closing):
     """Jacobian, and what it gives without accelerations, of a connection or a weld."""
     first, second = model.eq_obj1id[closing], model.eq_obj2id[closing]
     size = model.nv
-    is_weld = model.eq_type[closing] == mujoco.mjtEq.mjEQ_WELD
-    places = []
-    for body, at in ((first, 0), (second, 3)):
-        local = np.zeros(3) if is_weld and body == second else model.eq_data[closing][at : at + 3]
-        if is_weld:
-            # the origin of the second, on both
-            origin, turn = data.xpos[second], data.xmat[body].reshape(3, 3)
-            local = turn.T @ (origin - data.xpos[body])
-        places.append(data.xpos[body] + data.xmat[body].reshape(3, 3) @ local)
+    is_weld = is_turned(model, closing)
+    places = ends(model, data, closing)
+    if is_weld:
+        places[0] = places[1]
     rows, rates = [], []
     for body, place, sign in ((first, places[0], 1), (second, places[1], -1)):
         move, turn = np.zeros((3, size)), np.zeros((3, size))
@@ -85,17 +97,13 @@ def assembled(model, data, closings):
             row, _ = held(model, data, closing)
             first, second = model.eq_obj1id[closing], model.eq_obj2id[closing]
             turns = [data.xmat[body].reshape(3, 3) for body in (first, second)]
-            if model.eq_type[closing] == mujoco.mjtEq.mjEQ_WELD:
-                place, turn = ASSEMBLY[closing]
-                gap = data.xpos[first] + turns[0] @ place - data.xpos[second]
-                off = turns[0] @ turn @ turns[1].T
-                turned = 0.5 * np.array([off[2, 1] - off[1, 2], off[0, 2] - off[2, 0], off[1, 0] - off[0, 1]])
-                gaps.append(np.concatenate([gap, turned]))
-            else:
-                ends = [model.eq_data[closing][:3], model.eq_data[closing][3:6]]
-                gaps.append(
-                    data.xpos[first] + turns[0] @ ends[0] - data.xpos[second] - turns[1] @ ends[1]
-                )
+            places = ends(model, data, closing)
+            gaps.append(places[0] - places[1])
+            if is_turned(model, closing):
+                turn = np.zeros(9)
+                mujoco.mju_quat2Mat(turn, model.eq_data[closing][6:10])
+                off = turns[0] @ turn.reshape(3, 3) @ turns[1].T
+                gaps.append(0.5 * np.array([off[2, 1] - off[1, 2], off[0, 2] - off[2, 0], off[1, 0] - off[0, 1]]))
             rows.append(row)
         step = -np.linalg.lstsq(np.vstack(rows), np.concatenate(gaps), rcond=None)[0]
         mujoco.mj_integratePos(model, data.qpos, step, 1.0)
@@ -103,9 +111,6 @@ def assembled(model, data, closings):
             break
     rows = np.vstack([kept(model, data, closing)[0] for closing in closings])
     data.qvel[:] -= np.linalg.lstsq(rows, rows @ data.qvel, rcond=None)[0]
-
-
-ASSEMBLY = {}
 
 
 def kept(model, data, closing):
@@ -176,12 +181,6 @@ def rows(name, random):
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
     closings = [i for i in range(model.neq) if model.eq_active0[i]]
-    for closing in closings:
-        if int(model.eq_type[closing]) in COUPLED:
-            continue
-        first, second = model.eq_obj1id[closing], model.eq_obj2id[closing]
-        turns = [data.xmat[body].reshape(3, 3).copy() for body in (first, second)]
-        ASSEMBLY[closing] = (turns[0].T @ (data.xpos[second] - data.xpos[first]), turns[0].T @ turns[1])
     for _ in range(10):
         mujoco.mj_resetData(model, data)
         mujoco.mj_integratePos(model, data.qpos, random.uniform(-0.6, 0.6, model.nv), 1.0)
@@ -200,7 +199,7 @@ def rows(name, random):
 
 if __name__ == "__main__":
     generator = np.random.default_rng(5)
-    whole = {name: list(rows(name, generator)) for name in ("arm", "quadruped", "swing", "linkage", "coupled")}
+    whole = {name: list(rows(name, generator)) for name in MODELS}
     whole["origin"] = f"MuJoCo {mujoco.__version__}, by reference.py"
     with open(os.path.join(FOLDER, "reference.json"), "w", encoding="utf-8") as file:
         json.dump(whole, file, indent=1)

@@ -3,6 +3,7 @@
 
 mod described;
 mod printed;
+mod projection;
 
 use described::{
     Arm, ArmInput, Classes, ClassesInput, Coupled, CoupledInput, Linkage, Quadruped,

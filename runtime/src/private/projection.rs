@@ -96,6 +96,9 @@ fn relative(value: f64, size: f64) -> f64 {
 /// The limit of Newton steps: an error of the size of the body takes about six.
 const STEPS: usize = 20;
 
+/// The shortest share of a step of Newton's method that is tried.
+const SHORTEST: f64 = 1.0 / 64.0;
+
 /// The number of steps that may leave more than half of their initial error.
 const SLOW: usize = 4;
 
@@ -127,7 +130,7 @@ pub fn project<S: State<Scalar = f64>, const N: usize>(
 #[derive(Clone, Copy, PartialEq)]
 enum Pace {
     Full,
-    /// Shorter steps. Far from the constraints, rows contradict each other if they are dependent
+    /// Shorter steps, that reduce the error. Far from the constraints, rows contradict each other if they are dependent
     /// where all constraints hold.
     Damped,
     /// Velocities, which are linear.
@@ -146,7 +149,7 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
     let mut sizes = [0.0_f64; N];
     let (mut previous, mut slow) = (f64::INFINITY, 0);
     let (steps, most) = match pace {
-        Pace::Damped => (4 * STEPS, STEPS),
+        Pace::Damped => (16 * STEPS, 16 * STEPS),
         Pace::Full | Pace::Velocity => (STEPS, SLOW),
     };
     for step in 0..=steps {
@@ -189,11 +192,32 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
             Pace::Full | Pace::Velocity => 0.0,
         };
         let factors = solve(&system, values, damping);
-        for (row, factor) in system.iter().zip(factors) {
-            if factor != 0.0 {
-                *state = state.moved(&(direction(row) * -factor));
+        let moved = |share: f64| {
+            let mut state = state.clone();
+            for (row, factor) in system.iter().zip(factors) {
+                if factor != 0.0 {
+                    state = state.moved(&(direction(row) * (-share * factor)));
+                }
+            }
+            state
+        };
+        let mut next = moved(1.0);
+        if pace == Pace::Damped && worst.0 > Inconsistent::TOLERANCE {
+            let off = |state: &S| {
+                let rows = rows(state);
+                let values = rows.iter().zip(&sizes).filter_map(|(row, size)| {
+                    let (value, _) = measured(row)?;
+                    Some(relative(value, *size))
+                });
+                values.fold(0.0, f64::max)
+            };
+            let mut share = 1.0;
+            while share > SHORTEST && off(&next) > (1.0 - 0.25 * share) * worst.0 {
+                share *= 0.5;
+                next = moved(share);
             }
         }
+        *state = next;
     }
     Ok(())
 }

@@ -7,6 +7,7 @@ mod arms;
 mod bodies;
 #[path = "../coordinates/mod.rs"]
 mod coordinates;
+mod generic;
 #[path = "../../examples/identification.rs"]
 mod identification;
 mod identified;

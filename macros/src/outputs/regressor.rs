@@ -4,7 +4,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::emit::code::{Method, Site, Source};
+use crate::emit::code::{Method, Site, Source, Told, Writer};
 use crate::emit::items::Addition;
 use crate::lower::Offer;
 use crate::mechanics::{self, inertial_parameters};
@@ -44,6 +44,7 @@ impl<S: Subject> Output<S> for Regressor {
         let names = inertial_parameters(site.outline.motion);
         let (matrices, regressor) = self.matrices(
             site,
+            Told::State,
             (
                 "Regressor",
                 "The loads of the motion by the inertial parameters of each body",
@@ -53,6 +54,7 @@ impl<S: Subject> Output<S> for Regressor {
         );
         let (columns, parameters) = self.matrices(
             site,
+            Told::Nothing,
             (
                 "InertialParameters",
                 "Mass, first moment and inertia of each body",
@@ -86,6 +88,7 @@ impl Regressor {
     fn matrices(
         &self,
         site: &Site<'_>,
+        told: Told,
         (suffix, doc): (&'static str, &str),
         size: [usize; 2],
         entries: impl Fn(&mechanics::Regressor) -> Vec<Id>,
@@ -96,7 +99,11 @@ impl Regressor {
         let each = PerBody::new(site, (suffix, &doc), kind, false);
         let method = site.method(self.0.as_ref(), |writer, bodies| {
             let all: Vec<Id> = bodies.iter().flat_map(entries).collect();
-            Method::write(writer, &all, |values| {
+            let writer = Writer {
+                told,
+                ..writer.clone()
+            };
+            Method::write(&writer, &all, |values| {
                 each.filled(site, values, |_, values| shapes.matrix(size, values))
             })
         });

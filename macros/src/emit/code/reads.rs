@@ -93,21 +93,8 @@ impl Block<'_> {
     fn value_at_hand(&mut self) -> TokenStream {
         let outline = self.writer.outline;
         let (motion, state) = (outline.motion, local("state"));
-        if self.writer.stage == Stage::Parameter {
-            let params = Ident::new("params", Span::call_site());
-            if outline.params.is_empty() {
-                let kind = self.writer.shapes.scalar.kind();
-                return quote!(<#kind as ::core::default::Default>::default());
-            }
-            return component_at_hand(&params, outline.params.first());
-        }
-        if outline.is_still() {
-            let kind = self.writer.shapes.scalar.kind();
-            return quote!(<#kind as ::core::default::Default>::default());
-        }
-        if self.writer.told != Told::State {
-            self.reads.push(Source::Input);
-            return component_at_hand(&local("input"), outline.inputs.first());
+        if outline.is_still() || self.writer.told != Told::State {
+            return self.param_at_hand();
         }
         self.reads.push(Source::State);
         if let Some(joint) = outline.joints.first() {
@@ -129,6 +116,19 @@ impl Block<'_> {
         } else {
             quote!(#state.angular_velocity.x)
         }
+    }
+
+    /// The first component of the first parameter; without parameters, the default of the scalar.
+    fn param_at_hand(&self) -> TokenStream {
+        let Some(param) = self.writer.outline.params.first() else {
+            let kind = self.writer.shapes.scalar.kind();
+            return quote!(<#kind as ::core::default::Default>::default());
+        };
+        let (name, x) = (&param.name, param.frame.map(|_| quote!(.x)));
+        // in the constructor, the parameters are not stored yet
+        let itself = (self.writer.stage != Stage::Parameter).then(|| quote!(self.));
+        let params = Ident::new("params", Span::call_site());
+        quote!(#itself #params.#name #x)
     }
 
     /// `let area = Self::given_area();` for constants that are not stored.
@@ -268,13 +268,4 @@ fn found(
     symbols
         .filter_map(|(id, meaning)| Some((component(*meaning)?, *id)))
         .collect()
-}
-
-/// The first component of a parameter or an input.
-fn component_at_hand(of: &Ident, declared: Option<&Declared>) -> TokenStream {
-    let component = declared.map(|declared| {
-        let (name, x) = (&declared.name, declared.frame.map(|_| quote!(.x)));
-        quote!(#of.#name #x)
-    });
-    component.unwrap_or_default()
 }

@@ -179,14 +179,17 @@ fn by_name(description: &Description, wanted: fn(&syntax::Load) -> bool) -> Vec<
         .collect()
 }
 
-/// Whether an error was reported for an entry that may be meant as an unknown reaction.
+/// Whether an error was reported for an entry that may be meant as an unknown load.
 fn is_reported(description: &Description) -> bool {
     let is_partly_open = |value: &Expression| {
         let mut found = false;
         value.visit(|part| found |= matches!(part.kind, Kind::Placeholder));
         found
     };
-    let wrong = |load: &syntax::Load| load.vector.as_ref().is_none_or(is_partly_open);
+    let is_inverse = description.outputs.iter().any(|output| output == INVERSE);
+    let is_right = |load: &syntax::Load| is_unknown(load) || is_inverse && is_drive(load);
+    let wrong =
+        |load: &syntax::Load| load.vector.as_ref().is_none_or(is_partly_open) && !is_right(load);
     !description.lost.is_empty() || description.loads.iter().any(wrong)
 }
 

@@ -73,7 +73,7 @@ impl Output<Model> for Inverse {
         let methods = [("inverse", &method, &arguments[..], &kind)];
         let remark =
             " Where the configuration does not determine the drives, `inverse` returns an error.";
-        Addition {
+        let addition = Addition {
             remarks: has_pivots.then_some(remark).into_iter().collect(),
             ..Addition::implement(
                 site,
@@ -81,6 +81,11 @@ impl Output<Model> for Inverse {
                 [quote!(type Drives = #kind;), quote!()],
                 &methods,
             )
+        };
+        // an invalid load may be the only drive: its struct is there without it
+        if outline.drives.is_empty() {
+            return addition.with(outline, &open_drives(outline));
         }
+        addition
     }
 }

@@ -1,7 +1,7 @@
 //! Constants of the equations that do not fit in a double.
 
 use crate::model::{Defaults, Outline, Substance, Workspace, is_possible, why_not};
-use crate::symbolic::{Id, Number, Stage};
+use crate::symbolic::{Id, Node, Number, Stage};
 
 use super::errors::Errors;
 
@@ -46,6 +46,9 @@ impl Constants<'_> {
         };
         if values.iter().any(out_of_range) || outline.has_default() && self.overflows(work, &early)
         {
+            if self.report_division(&early, work, errors) {
+                return;
+            }
             let with = if outline.params.is_empty() {
                 ""
             } else {
@@ -64,6 +67,46 @@ impl Constants<'_> {
         for body in self.bodies {
             self.check_rounded(&body.inertia_entries(), work, errors);
         }
+    }
+
+    /// Reports the first division by zero on the way to the `early` values, if there is one.
+    fn report_division(&self, early: &[Id], work: &mut Workspace, errors: &mut Errors) -> bool {
+        let (outline, defaults) = (self.outline, self.defaults);
+        let graph = &mut work.graph;
+        let all = graph.reachable(early, |_| true);
+        let values = graph.substitute(&all, |id| defaults.get(&id).copied());
+        let graph = &work.graph;
+        let value = |id: Id| all.binary_search(&id).ok().map(|place| values[place]);
+        let is_zero = |id: Id| value(id).is_some_and(|value| graph.is_zero(value));
+        let mut divisors = all.iter().filter_map(|id| match graph.node(*id) {
+            Node::Undefined => Some(None),
+            Node::Divide(_, divisor) | Node::Pivot(divisor, _) if is_zero(*divisor) => {
+                Some(Some(*divisor))
+            }
+            _ => None,
+        });
+        let Some(divisor) = divisors.next() else {
+            return false;
+        };
+        let params = outline.sources(work, divisor.as_slice());
+        let name = &outline.name;
+        let message = match params.as_slice() {
+            [] => format!(
+                "something in the equations of `{name}` is divided by zero, as where loads \
+                 cancel an inertia or a length vanishes"
+            ),
+            [param] => format!(
+                "something in the equations of `{name}` is divided by zero with the default of `{param}`: \
+                 change it"
+            ),
+            several => format!(
+                "something in the equations of `{name}` is divided by zero with the defaults of `{}`: \
+                 change one of them",
+                several.join("`, `")
+            ),
+        };
+        errors.push(name.span(), message);
+        true
     }
 
     /// Reports an inertia that is possible as written, but that the constructor would reject with

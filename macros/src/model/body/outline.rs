@@ -7,7 +7,9 @@ use proc_macro2::{Ident, TokenStream};
 use crate::errors::Extent;
 use crate::families::LoadKind;
 use crate::model::joints::{Field, Group, Motion, OWN, Shape};
+use crate::model::kinematics::Workspace;
 use crate::model::words::{AXES, Dimension, Frame, FrameWord, Meaning, Unit, Variable};
+use crate::symbolic::Id;
 use crate::symbolic::Number;
 
 /// A requested output, and where it is requested.
@@ -89,6 +91,19 @@ impl Outline {
     pub fn has_reactions(&self) -> bool {
         let of_system = !self.holding.is_empty() || !self.kept.is_empty();
         of_system || !self.reactions.is_empty()
+    }
+
+    /// The names of the parameters and of the user's constants that `roots` are computed from.
+    pub fn sources(&self, work: &Workspace, roots: &[Id]) -> Vec<String> {
+        let symbols = work.graph.reachable(roots, |_| true).into_iter();
+        let names = symbols.filter_map(|symbol| match work.meaning(symbol)? {
+            Meaning::Param(index, _) => Some(self.params[index].name.to_string()),
+            Meaning::Constant(index) => Some(work.constants[index].name.to_string()),
+            _ => None,
+        });
+        let mut names: Vec<String> = names.collect();
+        names.dedup();
+        names
     }
 
     /// For a system: the number of its accelerations.

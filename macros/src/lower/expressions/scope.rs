@@ -151,7 +151,7 @@ impl Scope {
     /// `None` for an undefined name.
     #[allow(clippy::option_option, reason = "outer: not defined; inner: reported")]
     pub fn look_up(&mut self, name: &str) -> Option<Option<Value>> {
-        if self.lost.contains(name.strip_prefix("r#").unwrap_or(name)) {
+        if self.is_lost(name) {
             return Some(None);
         }
         let value = self.values.get(name)?;
@@ -183,14 +183,15 @@ impl Scope {
         self.locals.contains(name)
     }
 
-    /// Whether the definition of a name could not be read.
+    /// Whether the definition of a name could not be read, or the name is ambiguous.
     pub fn is_lost(&self, name: &str) -> bool {
-        self.lost.contains(name)
+        self.lost.contains(name.strip_prefix("r#").unwrap_or(name))
     }
 
     /// The value of a name, without marking it as used.
     pub fn peek(&self, name: &str) -> Option<Value> {
-        self.values.get(name).copied().flatten()
+        let value = self.values.get(name).filter(|_| !self.is_lost(name));
+        value.copied().flatten()
     }
 
     /// Whether this is a built-in name of a quantity that changes while the body moves.

@@ -10,6 +10,7 @@ use std::sync::mpsc::channel;
 use std::time::Duration;
 
 mod by_hand;
+mod constructors;
 mod ensembles;
 mod evaluations;
 #[path = "../kinds/mod.rs"]

@@ -19,6 +19,19 @@ pub fn check_finite<T: Scalar>(params: &[(&'static str, T)]) -> Result<(), Inval
     Ok(())
 }
 
+/// Checks that all values are finite that are computed from these parameters.
+///
+/// # Errors
+/// [`InvalidBody::Derived`] with the first that is not.
+pub fn check_derived<T: Scalar>(values: &[(&'static str, T)]) -> Result<(), InvalidBody> {
+    for &(from, value) in values {
+        if let Some(value) = find(value, |value| !value.is_finite()) {
+            return Err(InvalidBody::Derived { from, value });
+        }
+    }
+    Ok(())
+}
+
 /// The mass \[kg\]: finite and positive.
 ///
 /// # Errors

@@ -75,8 +75,8 @@ pub use crate::__written as written;
 
 pub use crate::mechanics::principal::PrincipalAxes;
 pub use checks::{
-    check_finite, check_inertia, check_mass, check_planar_inertia, check_property, lost_load,
-    member,
+    check_derived, check_finite, check_inertia, check_mass, check_planar_inertia, check_property,
+    lost_load, member,
 };
 pub use path::{
     axial_torque, gyrostat, lagrange_top, principal_axes, principal_rotation, rotation_about,

@@ -74,12 +74,12 @@ mod equations_of_Glider {
             let from_drag_1 = 20.0 * drag;
             let from_drag_2 = -20.0 * drag;
             let from_drag_3 = -25.0 * drag;
-            ::newton_euler::private::check_finite(
+            ::newton_euler::private::check_derived(
                 &[
-                    ("from_drag", from_drag),
-                    ("from_drag_1", from_drag_1),
-                    ("from_drag_2", from_drag_2),
-                    ("from_drag_3", from_drag_3),
+                    ("`drag`", from_drag),
+                    ("`drag`", from_drag_1),
+                    ("`drag`", from_drag_2),
+                    ("`drag`", from_drag_3),
                 ],
             )?;
             ::core::result::Result::Ok(Self {

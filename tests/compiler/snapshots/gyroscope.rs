@@ -86,13 +86,13 @@ mod equations_of_Gyroscope {
             let from_across = 0.196133 / inertia_about_support_xx;
             let from_across_1 = -0.196133 / inertia_about_support_xx;
             let from_rotor_across_1 = 1.0 - from_rotor_across;
-            ::newton_euler::private::check_finite(
+            ::newton_euler::private::check_derived(
                 &[
-                    ("coupling_x", coupling_x),
-                    ("from_across", from_across),
-                    ("from_across_1", from_across_1),
-                    ("from_rotor_across", from_rotor_across),
-                    ("from_rotor_across_1", from_rotor_across_1),
+                    ("`rotor`, `across`", coupling_x),
+                    ("`across`", from_across),
+                    ("`across`", from_across_1),
+                    ("`rotor`, `across`", from_rotor_across),
+                    ("`rotor`, `across`", from_rotor_across_1),
                 ],
             )?;
             ::core::result::Result::Ok(Self {

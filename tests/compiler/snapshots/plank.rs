@@ -87,8 +87,8 @@ mod equations_of_Plank {
             let inertia = 0.3333333333333333 * length_squared;
             ::newton_euler::private::check_planar_inertia(inertia)?;
             let from_length = 0.16666666666666666 * length_squared;
-            ::newton_euler::private::check_finite(
-                &[("inertia", inertia), ("from_length", from_length)],
+            ::newton_euler::private::check_derived(
+                &[("`length`", inertia), ("`length`", from_length)],
             )?;
             ::core::result::Result::Ok(Self {
                 params,

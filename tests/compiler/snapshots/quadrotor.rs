@@ -89,8 +89,8 @@ mod equations_of_Quadrotor {
             let QuadrotorParams { arm, drag_ratio } = params;
             let from_arm = 81.30081300813008 * arm;
             let from_drag_ratio = 44.642857142857146 * drag_ratio;
-            ::newton_euler::private::check_finite(
-                &[("from_arm", from_arm), ("from_drag_ratio", from_drag_ratio)],
+            ::newton_euler::private::check_derived(
+                &[("`arm`", from_arm), ("`drag_ratio`", from_drag_ratio)],
             )?;
             ::core::result::Result::Ok(Self {
                 params,

@@ -74,8 +74,8 @@ mod equations_of_Top {
             let inertia_about_support_xx = inertia_xx + product;
             let coupling_x = (inertia_zz + product) / inertia_about_support_xx;
             let from_length = constant * length / inertia_about_support_xx;
-            ::newton_euler::private::check_finite(
-                &[("coupling_x", coupling_x), ("from_length", from_length)],
+            ::newton_euler::private::check_derived(
+                &[("`length`", coupling_x), ("`length`", from_length)],
             )?;
             ::core::result::Result::Ok(Self {
                 params,

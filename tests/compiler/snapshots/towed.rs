@@ -72,13 +72,13 @@ mod equations_of_Towed {
                 ::newton_euler::private::math::hypot(product, -0.25 * pull),
             );
             let hanging = ::newton_euler::private::math::atan2(product, from_pull);
-            ::newton_euler::private::check_finite(
+            ::newton_euler::private::check_derived(
                 &[
-                    ("linear_x", linear_x),
-                    ("from_pull", from_pull),
-                    ("from_pull_1", from_pull_1),
-                    ("swing_rate", swing_rate),
-                    ("hanging", hanging),
+                    ("`pull`", linear_x),
+                    ("`pull`", from_pull),
+                    ("`pull`", from_pull_1),
+                    ("`pull`", swing_rate),
+                    ("`pull`", hanging),
                 ],
             )?;
             ::core::result::Result::Ok(Self {

@@ -68,16 +68,7 @@ fn reached(work: &Workspace, roots: &[Id]) -> Vec<Id> {
 
 /// The name of a field. A constant is named after the parameters that it is computed from.
 fn field_name(outline: &Outline, work: &Workspace, id: Id) -> String {
-    let graph = &work.graph;
-    let mut words: Vec<String> = Vec::new();
-    for symbol in graph.reachable(&[id], |_| true) {
-        match work.meaning(symbol) {
-            Some(Meaning::Param(index, _)) => words.push(outline.params[index].name.to_string()),
-            Some(Meaning::Constant(index)) => words.push(work.constants[index].name.to_string()),
-            _ => {}
-        }
-    }
-    words.dedup();
+    let mut words = outline.sources(work, &[id]);
     words.truncate(3);
     format!("from_{}", words.join("_"))
 }
@@ -122,7 +113,7 @@ impl Constructor {
         let statements = code.statements;
         let possible = checked.emit(possible, private);
         let made = check_properties(&properties, made_with, private);
-        let derived = check_derived(work, roots, fields, private);
+        let derived = check_derived((outline, work), roots, fields, private);
         let axes = (!tensor.is_empty()).then(|| local(PRINCIPAL_AXES));
         let principal = quote!(#private::principal_axes([#(#tensor),*]));
         let set_axes = axes.iter().map(|axes| quote!(let #axes = #principal;));
@@ -202,18 +193,41 @@ fn check_properties(
     checks.collect()
 }
 
-/// Checks that stored values are finite where they must be.
+/// Checks that stored values are finite where they must be: `check_finite(&[("lost", lost)])?;` for
+/// the user's constants, and `check_derived(&[("`arm`, `mass`", inverse_inertia)])?;` for what is
+/// computed from these names.
 fn check_derived(
-    work: &Workspace,
+    (outline, work): (&Outline, &Workspace),
     roots: &Roots,
     fields: &Fields,
     private: &TokenStream,
-) -> Option<TokenStream> {
+) -> TokenStream {
     let finite = reached(work, &roots.finite);
     let checked = fields.0.iter().filter(|(id, _)| finite.contains(id));
-    let checked: Vec<&Ident> = checked.map(|(_, name)| name).collect();
-    let words = checked.iter().map(ToString::to_string);
-    (!checked.is_empty()).then(|| quote!(#private::check_finite(&[#((#words, #checked)),*])?;))
+    let (constants, derived): (Vec<_>, Vec<_>) =
+        checked.partition(|(id, _)| work.meaning(*id).is_some());
+    let constants = constants.into_iter().map(|(_, name)| {
+        let word = name.to_string();
+        quote!((#word, #name))
+    });
+    let derived = derived.into_iter().map(|(id, name)| {
+        let from = first_names(&outline.sources(work, &[*id]));
+        quote!((#from, #name))
+    });
+    let (constants, derived): (Vec<_>, Vec<_>) = (constants.collect(), derived.collect());
+    let constants =
+        (!constants.is_empty()).then(|| quote!(#private::check_finite(&[#(#constants),*])?;));
+    let derived =
+        (!derived.is_empty()).then(|| quote!(#private::check_derived(&[#(#derived),*])?;));
+    quote!(#constants #derived)
+}
+
+/// "`arm`, `mass`", of many names the first.
+fn first_names(names: &[String]) -> String {
+    const MOST: usize = 4;
+    let first = names[..names.len().min(MOST)].join("`, `");
+    let others = if names.len() > MOST { ", .." } else { "" };
+    format!("`{first}`{others}")
 }
 
 /// `check_finite(&[("arm", params.arm), ..])?;` for every component of every parameter.

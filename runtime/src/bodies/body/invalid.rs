@@ -16,6 +16,14 @@ pub enum InvalidBody {
         /// The given value.
         value: f64,
     },
+    /// A value that is computed from parameters is infinite or NaN, as where a parameter in a divisor
+    /// is zero.
+    Derived {
+        /// The names of these parameters in the description, as in "`arm`, `load`"; of many, the first.
+        from: &'static str,
+        /// The computed value.
+        value: f64,
+    },
     /// The mass is not a positive finite number.
     Mass {
         /// The given value \[kg\].
@@ -63,6 +71,7 @@ impl InvalidBody {
     pub(crate) fn is_of_no_number(&self) -> bool {
         match self {
             Self::NotFinite { value, .. }
+            | Self::Derived { value, .. }
             | Self::Mass { value }
             | Self::PlanarInertia { value }
             | Self::Property { value, .. } => value.is_nan(),
@@ -94,6 +103,11 @@ impl fmt::Display for InvalidBody {
             Self::NotFinite { name, value } => {
                 write!(f, "`{name}` must be finite, is {}", Number(value))
             }
+            Self::Derived { from, value } => write!(
+                f,
+                "a value computed from {from} must be finite, is {}",
+                Number(value)
+            ),
             Self::Mass { value } => write!(
                 f,
                 "mass must be positive and finite, is {} kg",

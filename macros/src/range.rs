@@ -78,10 +78,13 @@ impl Constants<'_> {
         let graph = &work.graph;
         let value = |id: Id| all.binary_search(&id).ok().map(|place| values[place]);
         let is_zero = |id: Id| value(id).is_some_and(|value| graph.is_zero(value));
-        let mut divisors = all.iter().filter_map(|id| match graph.node(*id) {
+        let has_no_value = |id: Id| value(id).is_some_and(|value| graph.is_undefined(value));
+        let lost = early.iter().copied().filter(|id| has_no_value(*id));
+        let way = graph.reachable(&lost.collect::<Vec<_>>(), has_no_value);
+        let mut divisors = way.into_iter().filter_map(|id| match *graph.node(id) {
             Node::Undefined => Some(None),
-            Node::Divide(_, divisor) | Node::Pivot(divisor, _) if is_zero(*divisor) => {
-                Some(Some(*divisor))
+            Node::Divide(_, divisor) | Node::Pivot(divisor, _) if is_zero(divisor) => {
+                Some(Some(divisor))
             }
             _ => None,
         });

@@ -229,6 +229,10 @@ macro_rules! system_entries {
 }
 
 #[test]
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "rounded to single precision"
+)]
 fn generic_systems() {
     let single = |number: f64| number as f32;
     let plain = |number: f64| number;

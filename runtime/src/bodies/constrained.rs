@@ -9,7 +9,8 @@
 //! the nearest state, in the metric of the kinetic energy
 //! ```
 //!
-//! (in a system, of the kinetic energy of each coordinate by itself), first in the positions, by Newton's method, then in the velocities, which are linear.
+//! first in the positions, by Newton's method, then in the velocities, which are linear. In a
+//! system, the metric is the kinetic energy of each coordinate by itself.
 
 use core::fmt;
 

@@ -24,13 +24,13 @@ fn plan(seed: u64, executions: u64, mutants: u64) -> Plan {
 
 #[test]
 fn arbitrary_streams_are_answered() {
-    let report = run(plan(1, 4000, u64::MAX));
+    let report = run(plan(1, 3000, u64::MAX));
     assert!(report.failures.is_empty(), "{:?}", report.failures);
 }
 
 #[test]
 fn mutated_descriptions_are_answered() {
-    let report = run(plan(2, 400, 1));
+    let report = run(plan(2, 300, 1));
     assert!(report.failures.is_empty(), "{:?}", report.failures);
     assert!(report.mutants_accepted.count() > 5 && report.mutants_rejected.count() > 100);
 }
@@ -39,7 +39,7 @@ fn mutated_descriptions_are_answered() {
 fn mutated_systems_are_answered() {
     let report = run(Plan {
         of_systems: true,
-        ..plan(3, 1500, 1)
+        ..plan(3, 1000, 1)
     });
     assert!(report.failures.is_empty(), "{:?}", report.failures);
     assert!(report.mutants_accepted.count() > 5 && report.mutants_rejected.count() > 100);
@@ -47,7 +47,7 @@ fn mutated_systems_are_answered() {
 
 #[test]
 fn the_runtime_refuses_what_cannot_be() {
-    for (name, count) in fuzz::runtime::run(8000, 1) {
+    for (name, count) in fuzz::runtime::run(6000, 1) {
         assert!(count.failures.is_empty(), "{:?}", count.failures);
         // maps answer everything
         let is_map = name.contains("maps");

@@ -140,3 +140,46 @@ fn a_step_in_the_floor_ends_the_motion() {
             .contains("`floor` jumps, or its rate does")
     );
 }
+
+// almost at its dead points, the rates of a crank and its rod are large
+rigid_system!(Crank {
+    motion: planar,
+    bodies: [
+        crank {
+            mass: 1[kg],
+            inertia: 0.01[kg * m ^ 2],
+            points: [o = (-0.1, 0), a = (0.1, 0)]
+        },
+        rod {
+            mass: 0.5[kg],
+            inertia: 0.01[kg * m ^ 2],
+            points: [a = (-0.1005, 0), b = (0.1005, 0)]
+        },
+        block {
+            mass: 1[kg],
+            inertia: 0.01[kg * m ^ 2]
+        },
+    ],
+    joints: [
+        o = revolute(world(0, 0), crank.o),
+        a = revolute(crank.a, rod.a),
+        b = revolute(rod.b, block.G),
+        s = prismatic(world(0, 0), block.G, world(1, 0)),
+    ],
+    fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+});
+
+#[test]
+fn coarse_steps_are_no_jumps() {
+    for tolerance in [0.3, 0.1, 0.03, 1e-2, 3e-3, 1e-6, 1e-10] {
+        for speed in [0.0, 5.0, 60.0] {
+            let body = Crank::default();
+            let mut start = CrankState::default();
+            (start.o.angle, start.a.angle, start.b.angle) = (0.7, -1.4, 0.7);
+            start.o.angular_velocity = speed;
+            body.project(0.0, &mut start, &()).expect("near by");
+            let end = body.integrate(&start).tolerance(tolerance).to(3.0);
+            assert!(end.is_ok(), "{tolerance}, {speed}: {end:?}");
+        }
+    }
+}

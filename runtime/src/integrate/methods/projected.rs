@@ -13,6 +13,7 @@ use crate::integrate::steps::setting::Setting;
 use crate::integrate::steps::size::relative_size;
 use crate::integrate::steps::stretch::Within;
 use crate::numbers::count::real;
+use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
 
 /// A method for bodies under constraints: [`Constrained::project`] corrects the end of every
@@ -75,8 +76,10 @@ const SHORT: f64 = 1e-3;
 /// After this many consecutive short steps the motion ends: rounding would decide how it continues.
 const MANY: usize = 20;
 
-/// The tolerance of a method that has none, at a switch.
-const FINE: f64 = 1e-12;
+/// If a method has no tolerance, constraints jump at a switch if states move this far.
+const FAR: f64 = 1e-6;
+/// How often the place of a jump within a step is halved.
+const HALVINGS: usize = 40;
 
 impl<B: RigidBody, R: fmt::Debug> fmt::Debug for ProjectedRun<'_, B, R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -123,22 +126,24 @@ impl<B: Constrained<Scalar = f64>> Within<'_, B> {
 }
 
 impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> ProjectedRun<'_, B, R> {
-    /// Projects the state of the motion; `good` is the last good state. What follows the equations
-    /// to a tolerance is near its constraints. If the state moves by more than the root of the
-    /// tolerance, a constraint or its rate jumps, and the equations do not describe the shock.
+    /// Projects the state of the motion, if it is then no further than `far` from where it was;
+    /// `good` is the last good state.
     fn project(
         &mut self,
         input: &B::Input,
-        good: (f64, B::State),
-        tolerance: Option<f64>,
+        good: &(f64, B::State),
+        far: Option<f64>,
     ) -> Result<(), IntegrationError<B::State>> {
         let (found, at) = (self.run.state(), self.run.time());
         let mut state = found.clone();
         let projected = self.within.project(at, &mut state, input);
-        let change = moved(&found, &state);
-        let jumps = tolerance.is_some_and(|tolerance| change * change > tolerance);
-        if jumps && let Err(violated) = self.within.check(at, &found, input) {
-            let (time, state) = good;
+        let moved = distance(&found, &state);
+        if let Some(far) = far
+            && moved > far
+            && (at == good.0 || self.jumps(input, good.0, [far, moved]))
+            && let Err(violated) = self.within.check(at, &found, input)
+        {
+            let (time, state) = good.clone();
             return Err(IntegrationError::Jump {
                 time,
                 state,
@@ -146,7 +151,7 @@ impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> ProjectedRun<'
             });
         }
         projected.map_err(|violated| {
-            let (time, state) = good;
+            let (time, state) = good.clone();
             IntegrationError::Inconsistent {
                 time,
                 state,
@@ -155,6 +160,30 @@ impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> ProjectedRun<'
         })?;
         self.run.replace(&state);
         Ok(())
+    }
+
+    /// Whether the last step, which ends far from the constraints, passes a jump. If its length is
+    /// the cause, shorter and shorter steps end nearer and nearer to them. At a jump, two steps of
+    /// almost the same length end near and far.
+    #[cold]
+    fn jumps(&self, input: &B::Input, start: f64, [far, moved]: [f64; 2]) -> bool {
+        let length = self.run.time() - start;
+        let (mut near, mut beyond, mut last) = (0.0, 1.0, moved);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (near + beyond);
+            let time = start + middle * length;
+            let found = self.run.within(time, input);
+            let mut state = found.clone();
+            // a state that cannot be projected moves as far as it can
+            let _ = self.within.project(time, &mut state, input);
+            let distance = distance(&found, &state);
+            if distance > far {
+                (beyond, last) = (middle, distance);
+            } else {
+                near = middle;
+            }
+        }
+        last > 2.0 * far
     }
 
     /// Whether the motion passes a place where constraints depend on each other, after a step from
@@ -238,14 +267,15 @@ impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> Run<B>
             })?;
             self.is_checked = true;
         }
-        let tolerance = self.run.tolerance();
+        // what follows the equations to a tolerance is nearer to its constraints than this
+        let far = self.run.tolerance().map(Scalar::sqrt);
         if !self.is_on_constraints {
-            let tolerance = self.has_switched.then(|| tolerance.unwrap_or(FINE));
-            self.project(input, good.clone(), tolerance)?;
+            let far = self.has_switched.then_some(far.unwrap_or(FAR));
+            self.project(input, &good, far)?;
             (self.is_on_constraints, self.has_switched) = (true, false);
         }
         let reached = self.run.advance(end, input);
-        let reached = reached.and_then(|()| self.project(input, good.clone(), tolerance));
+        let reached = reached.and_then(|()| self.project(input, &good, far));
         reached.map_err(|error| self.explained(error, input))?;
         self.passes(input, &good)
     }
@@ -290,7 +320,7 @@ impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> Run<B>
 }
 
 /// The distance of two states, as steps measure their errors. NaN if one is not finite.
-fn moved<S: Coordinates<Scalar = f64>>(from: &S, to: &S) -> f64 {
+fn distance<S: Coordinates<Scalar = f64>>(from: &S, to: &S) -> f64 {
     let (from, mut change) = (from.coordinates(), to.coordinates());
     for (change, from) in change.as_mut().iter_mut().zip(from.as_ref()) {
         *change -= from;

@@ -4,7 +4,7 @@ use nalgebra::{Unit, UnitQuaternion, Vector2, Vector3};
 use newton_euler::prelude::*;
 use newton_euler::state::generic;
 
-use crate::oracle::{Derived, hold, unmoved};
+use crate::oracle::{Derived, by, derived, hold, unmoved};
 
 rigid_body!(Crazyflie::<T> {
     doc: "The Crazyflie 2.0; rotors 1 and 3 spin about +z.",
@@ -135,18 +135,6 @@ fn spatial() -> Spatial {
         attitude: attitude(),
         velocity: Vector3::new(1.3, 2.1, -0.6),
         angular_velocity: Vector3::new(0.5, -1.4, 0.8),
-    }
-}
-
-fn derived(value: f64) -> Derived {
-    Derived::from(value)
-}
-
-fn by(value: f64, is_it: bool) -> Derived {
-    if is_it {
-        Derived::variable(value, 0)
-    } else {
-        derived(value)
     }
 }
 

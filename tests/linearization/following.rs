@@ -1,22 +1,10 @@
 //! Linearizations of trees with loads that depend on accelerations, compared with dual numbers.
 
-use crate::oracle::{Derived, hold, unmoved};
+use crate::oracle::{Derived, by, derived, hold, unmoved};
 use crate::sensitivity::{self, Numbers, numbers};
 use nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::columns::Columns;
 use newton_euler::prelude::*;
-
-fn derived(value: f64) -> Derived {
-    Derived::from(value)
-}
-
-fn by(value: f64, is_it: bool) -> Derived {
-    if is_it {
-        Derived::variable(value, 0)
-    } else {
-        derived(value)
-    }
-}
 
 rigid_system!(Swimmer::<T> {
     motion: planar,

@@ -7,11 +7,20 @@ use newton_euler::state::{Coordinates, State};
 /// A number with its derivative in one direction.
 pub type Derived = Dual<f64, 1>;
 
-fn derived(value: f64, slope: f64) -> Derived {
+fn with_slope(value: f64, slope: f64) -> Derived {
     Dual {
         value,
         derivatives: [slope],
     }
+}
+
+pub fn derived(value: f64) -> Derived {
+    Derived::from(value)
+}
+
+/// A number by which something is differentiated, or another one.
+pub fn by(value: f64, is_it: bool) -> Derived {
+    with_slope(value, f64::from(u8::from(is_it)))
 }
 
 /// The coordinates of a state, each with its derivative by one coordinate of the tangent space.
@@ -42,7 +51,7 @@ where
         .zip(coordinates.as_mut())
         .zip(changes)
     {
-        *to = derived(*value, change);
+        *to = with_slope(*value, change);
     }
     D::from_coordinates(&list)
 }
@@ -179,7 +188,7 @@ where
 {
     let mut list = D::Array::default();
     for (to, value) in list.as_mut().iter_mut().zip(state.coordinates().as_ref()) {
-        *to = derived(*value, 0.0);
+        *to = with_slope(*value, 0.0);
     }
     D::from_coordinates(&list)
 }

@@ -3,7 +3,7 @@
 use nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::prelude::*;
 
-use crate::oracle::{Derived, hold, unmoved};
+use crate::oracle::{Derived, by, hold, unmoved};
 
 #[path = "../states/bodies.rs"]
 #[allow(dead_code, reason = "those of another test")]
@@ -21,14 +21,6 @@ use led::{
     Crane, CraneInput, CraneState, Driven, DrivenInput, DrivenState, Led, LedInput, LedState,
     Slider, SliderInput, SliderState,
 };
-
-fn by(value: f64, is_it: bool) -> Derived {
-    if is_it {
-        Derived::variable(value, 0)
-    } else {
-        Derived::from(value)
-    }
-}
 
 fn time() -> Derived {
     Derived::from(0.3)

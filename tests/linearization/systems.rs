@@ -1,6 +1,6 @@
 //! Linearizations of systems, compared with dual numbers.
 
-use crate::oracle::{Derived, hold, unmoved};
+use crate::oracle::{Derived, by, derived, hold, unmoved};
 use nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::prelude::*;
 
@@ -156,18 +156,6 @@ rigid_system!(FourBar::<T> {
     moments: [load = moment(-0.6[N * m * s] * rocker.angular_velocity).on(rocker)],
     outputs: [linearization],
 });
-
-fn derived(value: f64) -> Derived {
-    Derived::from(value)
-}
-
-fn by(value: f64, is_it: bool) -> Derived {
-    if is_it {
-        Derived::variable(value, 0)
-    } else {
-        derived(value)
-    }
-}
 
 #[test]
 fn an_arm_with_six_axes() {

@@ -11,12 +11,9 @@ use crate::numbers::scalar::Scalar;
 /// # Errors
 /// [`InvalidBody::NotFinite`] with the first that is not.
 pub fn check_finite<T: Scalar>(params: &[(&'static str, T)]) -> Result<(), InvalidBody> {
-    for &(name, value) in params {
-        if let Some(value) = find(value, |value| !value.is_finite()) {
-            return Err(InvalidBody::NotFinite { name, value });
-        }
-    }
-    Ok(())
+    not_finite(params).map_or(Ok(()), |(name, value)| {
+        Err(InvalidBody::NotFinite { name, value })
+    })
 }
 
 /// Checks that all values are finite that are computed from these parameters.
@@ -24,12 +21,15 @@ pub fn check_finite<T: Scalar>(params: &[(&'static str, T)]) -> Result<(), Inval
 /// # Errors
 /// [`InvalidBody::Derived`] with the first that is not.
 pub fn check_derived<T: Scalar>(values: &[(&'static str, T)]) -> Result<(), InvalidBody> {
-    for &(from, value) in values {
-        if let Some(value) = find(value, |value| !value.is_finite()) {
-            return Err(InvalidBody::Derived { from, value });
-        }
-    }
-    Ok(())
+    not_finite(values).map_or(Ok(()), |(from, value)| {
+        Err(InvalidBody::Derived { from, value })
+    })
+}
+
+/// The first of these values that is not finite.
+fn not_finite<T: Scalar>(values: &[(&'static str, T)]) -> Option<(&'static str, f64)> {
+    let mut all = values.iter();
+    all.find_map(|(name, value)| Some((*name, find(*value, |value| !value.is_finite())?)))
 }
 
 /// The mass \[kg\]: finite and positive.

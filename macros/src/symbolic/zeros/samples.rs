@@ -96,9 +96,9 @@ impl Graph {
         (0..roots.len()).map(of).collect()
     }
 
-    /// Whether each of `roots` is zero, where one or two evaluations tell: it is not if it is nonzero
-    /// on the first branch, and it is if there are too many branches to try all of them, and it is
-    /// zero with symbols in place of their choices. `None` if all branches are to be tried.
+    /// Whether each of `roots` is zero, if one or two evaluations tell; `None` if all branches must be
+    /// tried. A root that is nonzero on the first branch is not zero. If there are too many branches to
+    /// try all of them, a root is zero if it is zero on the first, and with symbols for all choices.
     pub fn told_at_once(&self, roots: &[Id], symbol: impl Fn(Id) -> Residue) -> Vec<Option<bool>> {
         let tape = self.tape(roots);
         let values_on = |side: &mut dyn FnMut(Side) -> Option<bool>| {
@@ -116,7 +116,7 @@ impl Graph {
         let is_told = are_many && tape.is_told_by_residues();
         let mixed = is_told.then(|| values_on(&mut |_| None));
         let told = first.iter().enumerate().map(|(index, first)| {
-            let is_zero = |mixed: &Vec<_>| mixed[index] == Some(Residue::ZERO);
+            let is_zero = |mixed: &Vec<_>| [*first, mixed[index]] == [Some(Residue::ZERO); 2];
             if is_nonzero(first) {
                 Some(false)
             } else {

@@ -130,8 +130,8 @@ pub fn project<S: State<Scalar = f64>, const N: usize>(
 #[derive(Clone, Copy, PartialEq)]
 enum Pace {
     Full,
-    /// Shorter steps, that reduce the error. Far from the constraints, rows contradict each other if they are dependent
-    /// where all constraints hold.
+    /// Shorter steps, each of which reduces the error. Far from the constraints, rows contradict
+    /// each other if they are dependent where all constraints hold.
     Damped,
     /// Velocities, which are linear.
     Velocity,

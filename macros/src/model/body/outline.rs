@@ -9,8 +9,7 @@ use crate::families::LoadKind;
 use crate::model::joints::{Field, Group, Motion, OWN, Shape};
 use crate::model::kinematics::Workspace;
 use crate::model::words::{AXES, Dimension, Frame, FrameWord, Meaning, Unit, Variable};
-use crate::symbolic::Id;
-use crate::symbolic::Number;
+use crate::symbolic::{Id, Number};
 
 /// A requested output, and where it is requested.
 pub struct Asked {

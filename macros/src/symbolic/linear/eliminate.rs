@@ -7,7 +7,6 @@
 //! ([`Graph::pivot`]). It may be that all remaining coefficients vanish in some state, or for some
 //! parameters, although the equations are regular there; then no pivot is chosen: see
 //! [`super::determinant`].
-//! regular there, no pivot is chosen: [`super::determinant`].
 //!
 //! If an equation is trivial on some branch, the unknown that it is solved for is zero there.
 

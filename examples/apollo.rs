@@ -6,7 +6,7 @@
 //! `rigid_body!` requires a choice; this program shows its effect.
 //!
 //! Body axes are those of the publication; world axes coincide with them at the start. There is no
-//! load, and with `motion: rotation` the motion of G is not modelled. The module starts with 5
+//! load, and with `motion: rotation` the motion of G is not modeled. The module starts with 5
 //! deg/s about y, whose moment of inertia is the largest.
 //!
 //! Asserts: energy and angular momentum are conserved; the principal moments; the largest moment

@@ -24,7 +24,7 @@ rigid_body!(Dipole {
     outputs: [energy, balance],
 });
 
-pub(crate) mod cancelled {
+pub(crate) mod canceled {
     newton_euler::rigid_body!(Quadrupole {
         doc: "A second pair of charges, turned the other way: neither charge nor dipole is left.",
         motion: spatial,
@@ -113,7 +113,7 @@ fn main() {
     println!("  G has moved {:.1e} m", state.position.norm());
 
     println!("\nwith a second pair against the first:");
-    for line in cancelled::Quadrupole::EQUATIONS.lines() {
+    for line in canceled::Quadrupole::EQUATIONS.lines() {
         println!("  {line}");
     }
 }

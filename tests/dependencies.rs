@@ -68,11 +68,11 @@ fn manifests() -> Vec<Value> {
     metadata["packages"].as_array().expect("a list").clone()
 }
 
-/// Whether a licence expression lets everyone use the crate, given these licences.
-fn is_permitted(licence: &str) -> bool {
+/// Whether a license expression lets everyone use the crate, given these licenses.
+fn is_permitted(license: &str) -> bool {
     const PERMITTED: [&str; 4] = ["MIT", "Apache-2.0", "Zlib", "Unicode-3.0"];
-    let licence = licence.replace('/', " OR ").replace(['(', ')'], "");
-    licence.split(" AND ").all(|needed| {
+    let license = license.replace('/', " OR ").replace(['(', ')'], "");
+    license.split(" AND ").all(|needed| {
         needed
             .split(" OR ")
             .any(|one| PERMITTED.contains(&one.trim()))
@@ -80,11 +80,11 @@ fn is_permitted(licence: &str) -> bool {
 }
 
 #[test]
-fn licences_are_permissive() {
+fn licenses_are_permissive() {
     assert!(is_permitted("(MIT OR GPL-3.0) AND Unicode-3.0") && !is_permitted("MIT AND GPL-3.0"));
     for package in manifests() {
-        let (name, licence) = (&package["name"], package["license"].as_str());
-        assert!(licence.is_some_and(is_permitted), "{name}: {licence:?}");
+        let (name, license) = (&package["name"], package["license"].as_str());
+        assert!(license.is_some_and(is_permitted), "{name}: {license:?}");
     }
 }
 

@@ -66,6 +66,6 @@ pub fn measure(table: &mut Table) {
             }
         },
     );
-    let what = "linearisation of a quadrotor, against accelerations";
+    let what = "linearization of a quadrotor, against accelerations";
     table.row(what.to_owned(), times, Some(2.5));
 }

@@ -76,7 +76,7 @@ pub const BODIES: &[Body] = bodies![
     cylinder::Slipping,
     cylinder::Sticking,
     dipole::Dipole,
-    dipole::cancelled::Quadrupole,
+    dipole::canceled::Quadrupole,
     double_pendulum::DoublePendulum,
     engine::Engine,
     four_bar::FourBar,

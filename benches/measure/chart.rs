@@ -1,4 +1,4 @@
-//! Curves over logarithmic axes: a panel for each group, a colour for each name, and a legend.
+//! Curves over logarithmic axes: a panel for each group, a color for each name, and a legend.
 
 use crate::drawing::{line, picture, text};
 
@@ -13,9 +13,9 @@ const LINE: f64 = 20.0;
 /// If the vertical axis has more decades than this, only every fourth has a line.
 const TALL: f64 = 8.0;
 
-/// The colours of the names, in the order in which these first occur. If there are more names, the
-/// colours repeat.
-const COLOURS: [&str; 16] = [
+/// The colors of the names, in the order in which these first occur. If there are more names, the
+/// colors repeat.
+const COLORS: [&str; 16] = [
     "#d62728", "#1f77b4", "#17becf", "#9467bd", "#ff7f0e", "#7f7f7f", "#c7c7c7", "#bcbd22",
     "#8c564b", "#e7ba52", "#ff7f0e", "#843c39", "#000000", "#2ca02c", "#98df8a", "#e377c2",
 ];
@@ -57,7 +57,7 @@ pub fn chart(panels: &[Panel<'_>], across: Across, caption: &str) -> String {
     for (place, name) in names.iter().enumerate() {
         let x = exact(place % COLUMNS) * PANEL[0] + CORNER[0];
         let y = top + exact(place / COLUMNS + 1) * LINE;
-        drawn += &line([x, y - 4.0], [x + 24.0, y - 4.0], colour(place), 2.0);
+        drawn += &line([x, y - 4.0], [x + 24.0, y - 4.0], color(place), 2.0);
         drawn += &text(x + 30.0, y, "start", name);
     }
     let height = top + (exact(names.len().div_ceil(COLUMNS)) + 1.0) * LINE;
@@ -92,10 +92,10 @@ fn panel(panel: &Panel<'_>, across: Across, names: &[&str], [left, top]: [f64; 2
     }
     for line in &panel.lines {
         let place = names.iter().position(|name| *name == line.name);
-        let colour = colour(place.expect("a name of the lines"));
+        let color = color(place.expect("a name of the lines"));
         let place = |[along, up]: &[f64; 2]| [x(along.clamp(first, last)), y(*up)];
         let places: Vec<[f64; 2]> = line.points.iter().map(place).collect();
-        drawn += &path(&places, colour);
+        drawn += &path(&places, color);
     }
     drawn
 }
@@ -106,13 +106,13 @@ fn decades(first: f64, last: f64, step: f64) -> impl Iterator<Item = f64> {
 }
 
 /// A line through places, with a mark on each.
-fn path(places: &[[f64; 2]], colour: &str) -> String {
+fn path(places: &[[f64; 2]], color: &str) -> String {
     let joined = |each: fn(&[f64; 2]) -> String| places.iter().map(each).collect::<Vec<_>>();
     let points = joined(|[x, y]| format!("{x:.1},{y:.1}")).join(" ");
     // a line of zero length with round ends is drawn as a dot
     let marks = joined(|[x, y]| format!("M{x:.1} {y:.1}h0")).concat();
     format!(
-        "<g fill=\"none\" stroke=\"{colour}\" stroke-linecap=\"round\">\
+        "<g fill=\"none\" stroke=\"{color}\" stroke-linecap=\"round\">\
          <polyline points=\"{points}\" stroke-width=\"1.5\"/><path d=\"{marks}\" stroke-width=\"4\"/></g>\n"
     )
 }
@@ -128,8 +128,8 @@ fn names<'c>(panels: &[Panel<'c>]) -> Vec<&'c str> {
     names
 }
 
-fn colour(place: usize) -> &'static str {
-    COLOURS[place % COLOURS.len()]
+fn color(place: usize) -> &'static str {
+    COLORS[place % COLORS.len()]
 }
 
 /// A power of ten.

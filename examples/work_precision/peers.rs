@@ -14,7 +14,7 @@ use newton_euler::state::Coordinates;
 use crate::by_hand::{Load, Turning};
 use crate::method::Method;
 use crate::problem::Problem;
-pub use runge_kutta::Renormalised;
+pub use runge_kutta::Renormalized;
 
 /// The peers for any body of N coordinates: `generated` is the one that was described, `by_hand` the same without the macro.
 pub fn general<'p, const N: usize, S, B, C>(
@@ -22,7 +22,7 @@ pub fn general<'p, const N: usize, S, B, C>(
     by_hand: &'p Problem<C>,
 ) -> Vec<Method<'p, S>>
 where
-    S: Coordinates<Scalar = f64> + Renormalised,
+    S: Coordinates<Scalar = f64> + Renormalized,
     B: RigidBody<Scalar = f64, State = S, Input = ()>,
     C: RigidBody<Scalar = f64, State = S, Input = ()>,
 {

@@ -133,7 +133,7 @@ rigid_body!(Noisy {
 });
 
 rigid_body!(Tiny {
-    doc: "Nanometres, much below the tolerance.",
+    doc: "Nanometers, much below the tolerance.",
     motion: planar_translation,
     mass: 1[kg],
     forces: [spring = -1e12[N / m] * position],

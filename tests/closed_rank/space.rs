@@ -145,7 +145,7 @@ rigid_system!(Bennett {
     outputs: [energy],
 });
 
-// opposite angles are alike, and half of a neighbour has a tangent of twice that of half of the other
+// opposite angles are alike, and half of a neighbor has a tangent of twice that of half of the other
 fn bent(angle: f64, rate: f64) -> BennettState {
     let hinge = |angle, angular_velocity| Hinge {
         angle,

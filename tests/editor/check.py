@@ -83,7 +83,7 @@ class Server:
             if message.get("id") == self.number and "method" not in message:
                 if "error" in message:
                     code = message["error"].get("code")
-                    if code in (-32801, -32802):  # the content changed, or the server cancelled it
+                    if code in (-32801, -32802):  # the content changed, or the server canceled it
                         time.sleep(0.5)
                         return self.ask(method, params, seconds)
                     raise RuntimeError(f"{method}: {message['error']['message']}")

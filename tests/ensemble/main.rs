@@ -241,7 +241,7 @@ fn joints_of_every_kind_move_as_if_alone() {
     roomy(|| check::<systems::Assembly<f64>>(|spin| 0.1 * spin));
 }
 
-/// Not optimised, a step in eight lanes takes megabytes of stack, of sixty coordinates tens of them.
+/// Not optimized, a step in eight lanes takes megabytes of stack, of sixty coordinates tens of them.
 fn roomy(checked: impl FnOnce() + Send + 'static) {
     let thread = std::thread::Builder::new().stack_size(64 << 20);
     let checked = thread.spawn(checked).expect("a thread");

@@ -73,14 +73,14 @@ fn of_angles_about_eighths_of_a_turn() {
     let about = |eighths: i32| {
         let angle = f64::from(eighths) * FRAC_PI_4;
         let aside = 1.0 + 1e-5 * numbers.take();
-        let neighbours = (0..34).flat_map(move |power| {
+        let neighbors = (0..34).flat_map(move |power| {
             [
                 angle.to_bits() + (1 << power),
                 angle.to_bits() - (1 << power),
             ]
             .map(f64::from_bits)
         });
-        neighbours.chain([angle, angle * aside])
+        neighbors.chain([angle, angle * aside])
     };
     let few = (1..=40).chain([101, 1000, 1001, 65_536, 65_537, 1_000_001]);
     let angles: Vec<f64> = few

@@ -202,7 +202,7 @@ fn pull_by_speed(x: f64, speed: f64) -> f64 {
 }
 
 #[test]
-fn given_derivatives_are_linearised() {
+fn given_derivatives_are_linearized() {
     let kite = Kite::new(KiteParams::default()).unwrap();
     let mut state = at(0.4, 0.0);
     state.velocity.x = 0.3;

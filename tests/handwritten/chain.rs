@@ -118,7 +118,7 @@ impl ChainState {
     }
 }
 
-/// A cart is pulled by its neighbours.
+/// A cart is pulled by its neighbors.
 fn pulls(positions: [f64; CARTS]) -> [f64; CARTS] {
     let at = |place: Option<usize>| place.and_then(|place| positions.get(place)).copied();
     std::array::from_fn(|k| {

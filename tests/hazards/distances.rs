@@ -86,10 +86,10 @@ pub fn parallel_axes() -> Vec<Record> {
         (2.0, Vector3::new(0.03, 0.04, 0.0)),
         (1.5, Vector3::new(0.0, 0.0, 0.05)),
     ];
-    // of the decimals: in whole centimetres
-    let (_, _, centimetres) =
+    // of the decimals: in whole centimeters
+    let (_, _, centimeters) =
         of_points(&near.map(|(m, at)| (m, at.map(|x: f64| (100.0 * x).round()))));
-    let frame = centimetres.map(|row| row.map(|entry| entry / RBig::from(10_000)));
+    let frame = centimeters.map(|row| row.map(|entry| entry / RBig::from(10_000)));
     let mut records = Vec::new();
     for (far, [of_ball, of_frame]) in far() {
         let at = Vector3::new(far, 0.0, 0.0);
@@ -146,7 +146,7 @@ rigid_body!(Cloud::<T> {
     outputs: [momentum],
 });
 
-/// Within a centimetre of a far origin, as doubles are there.
+/// Within a centimeter of a far origin, as doubles are there.
 fn cloud(far: f64) -> Vec<(f64, Vector3<f64>)> {
     let grid = |k: i32, step: i32| f64::from((k * step) % 97 - 48) * 1e-4;
     let places = (0..40).map(|k| Vector3::new(grid(k, 31), grid(k, 57), grid(k, 83)));
@@ -182,7 +182,7 @@ pub fn far_clouds() -> Vec<Record> {
     records
 }
 
-/// A hundred metres away, where single precision has grains of 8 μm.
+/// A hundred meters away, where single precision has grains of 8 μm.
 fn single_cloud() -> Record {
     let places = [0, 1, 2, 3].map(|k: usize| cloud(100.0)[k].1.map(to_f32));
     let [a, b, c, d] = places;

@@ -80,7 +80,7 @@ hazards! {
     h7 = spheres::nearly: "nearly spherical bodies, J = 1 + ε S; relative error of the gyroscopic moment or acceleration";
     h8 = separatrix::periods: "periods near the separatrix, J = (1, 2, 3), ω = (d, 1, 2 d); relative error";
     h8b = separatrix::zeros: "zeros that stay zero, ω = (0, 1, 0); largest of the other components";
-    h9 = world::far_bodies: "millimetres far from the world's origin; relative error of the moment, or change of ω̇";
+    h9 = world::far_bodies: "millimeters far from the world's origin; relative error of the moment, or change of ω̇";
     h9b = world::small_steps: "small steps far from the origin; error of the position [ulp]";
     h10 = scales::inertias: "inertias of any scale; relative error of J⁻¹ K";
     h11 = scales::single_precision: "single precision; relative error of what is conserved";

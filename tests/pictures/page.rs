@@ -40,7 +40,7 @@ fn turns(page: &str, rule: &str) -> Vec<[f64; 4]> {
                 .split(',')
                 .map(|text| text.parse().expect("a number"))
                 .collect();
-            // browsers normalise the axis
+            // browsers normalize the axis
             let axis = Vector3::new(numbers[0], numbers[1], numbers[2]).normalize();
             let (sine, cosine) = (0.5 * numbers[3]).sin_cos();
             [axis.x * sine, axis.y * sine, axis.z * sine, cosine]
@@ -61,7 +61,7 @@ fn solids_turn_as_the_samples_do_and_never_the_long_way() {
         let along: f64 = turn.iter().zip(expected.iter()).map(|(a, b)| a * b).sum();
         assert!((along.abs() - 1.0).abs() < 1e-6, "{sample:?}");
     }
-    // four turns: neighbours are next to each other even where the sign of a quaternion changes
+    // four turns: neighbors are next to each other even where the sign of a quaternion changes
     for pair in turns.windows(2) {
         let along: f64 = pair[0].iter().zip(pair[1]).map(|(a, b)| a * b).sum();
         assert!(along > 0.98);
@@ -107,7 +107,7 @@ fn gaps_are_not_shown() {
     }
     let page = Page::of(&samples).solid(Solid::ball(0.2)).to_string();
     assert!(!page.contains("NaN"));
-    // at three samples, and right beside their neighbours
+    // at three samples, and right beside their neighbors
     assert_eq!(page.matches("{visibility:hidden}").count(), 5);
     assert_eq!(page.matches("visibility:visible}").count(), 17);
     // nowhere finite: no solid

@@ -57,7 +57,7 @@ mod scenes;
 
 /// The gradient of `u` at zero, by differences of order four.
 ///
-/// Energies here are of some hundred joules and change over metres and radians: with h = 2e-3, h⁴ / 30 times a fifth
+/// Energies here are of some hundred joules and change over meters and radians: with h = 2e-3, h⁴ / 30 times a fifth
 /// derivative of 1e4 is 5e-9, and rounding, 1e-16 · 1e3 / h, is 5e-11.
 fn gradient<const N: usize>(u: impl Fn([f64; N]) -> f64) -> [f64; N] {
     let h = 2e-3;

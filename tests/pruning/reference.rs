@@ -72,7 +72,7 @@ impl Mul for Traced {
     }
 }
 
-/// What cancelled in the divisor is missing in all digits of the quotient.
+/// What canceled in the divisor is missing in all digits of the quotient.
 impl Div for Traced {
     type Output = Self;
     fn div(self, other: Self) -> Self {

@@ -232,8 +232,8 @@ fn place(q: &Coordinates<Dual>, r: [f64; 3]) -> [Dual; 3] {
     [q[0] + turned[0], q[1] + turned[1], q[2] + turned[2]]
 }
 
-/// The generalised forces: virtual work of the lifts and of the drag couple about body z.
-fn generalised(q: [f64; 6], lifts: [f64; 4], couple: f64) -> [f64; 6] {
+/// The generalized forces: virtual work of the lifts and of the drag couple about body z.
+fn generalized(q: [f64; 6], lifts: [f64; 4], couple: f64) -> [f64; 6] {
     let points = [
         [0.18, 0.0, 0.02],
         [0.0, 0.18, 0.02],
@@ -299,7 +299,7 @@ proptest! {
         let ddq = [a.x, a.y, a.z, ddq.x, ddq.y, ddq.z];
 
         let left = lagrange(|q, dq| lagrangian(q, dq, h), q, dq, ddq);
-        let right = generalised(q, lifts, couple);
+        let right = generalized(q, lifts, couple);
         for i in 0..3 {
             // Terms to 20 N, a dozen roundings.
             prop_assert!((left[i] - right[i]).abs() <= 1e-13, "{i}: {left:?}, {right:?}");

@@ -145,7 +145,7 @@ fn largest_angle() {
     let start = tilted(Vector3::new(0.0, 0.0, given("Omega3")));
     let tilt = |state: &Rotation| (state.attitude * Vector3::z()).z.acos();
     let (mut state, mut largest, step) = (start, [0.0_f64; 3], 2e-5);
-    // three neighbours of the largest, and the parabola through them
+    // three neighbors of the largest, and the parabola through them
     for _ in 0..8000 {
         state = cf4_step(&top(), 0.0, &state, &(), step);
         let [_, b, c] = largest;

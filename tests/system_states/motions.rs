@@ -28,7 +28,7 @@ fn lagrangian([q, e]: &[Dual; 2], [dq, de]: &[Dual; 2]) -> Dual {
     let number = |value: f64| Dual::from(value);
     let half = |mass: f64| number(0.5 * mass);
     let [near, far] = [(*q, *dq), (*q + *e, turn)].map(|(angle, rate)| {
-        // where a point one metre along is, and its velocity
+        // where a point one meter along is, and its velocity
         let (sine, cosine) = (angle.sin(), angle.cos());
         ([sine, -cosine], [cosine * rate, sine * rate])
     });

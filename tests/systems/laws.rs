@@ -325,8 +325,8 @@ fn momentum_of_what_drifts_is_constant() {
     }
 }
 
-/// A million metres away, the momentum about G has all its digits; places are halves of a
-/// micrometre apart, so that all are moved alike.
+/// A million meters away, the momentum about G has all its digits; places are halves of a
+/// micrometer apart, so that all are moved alike.
 #[test]
 fn momentum_keeps_its_digits_far_away() {
     let system = Drifting::default();

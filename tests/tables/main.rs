@@ -149,7 +149,7 @@ rigid_body!(Bowl {
     outputs: [energy, linearization],
 });
 
-/// A force is what the table changes by, and so are blocks of a linearisation.
+/// A force is what the table changes by, and so are blocks of a linearization.
 #[test]
 fn derivatives_go_piece_by_piece() {
     let bowl = Bowl::default();

@@ -9,7 +9,7 @@ import math
 from pathlib import Path
 
 DOCS = Path(__file__).resolve().parents[3] / "docs"
-# columns of the table, with a colour and a shape that the colour-blind tell apart
+# columns of the table, with a color and a shape that the color-blind tell apart
 TIMES = {
     "ours, native": ("#0072b2", "circle"),
     "CasADi's C": ("#e69f00", "square"),
@@ -34,16 +34,16 @@ def table():
         yield dict(zip(heads, cells(line)))
 
 
-def shape(kind, x, y, colour):
+def shape(kind, x, y, color):
     if kind == "circle":
-        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5" fill="{colour}"/>'
+        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5" fill="{color}"/>'
     outline = {
         "square": "-4.5,-4.5 4.5,-4.5 4.5,4.5 -4.5,4.5",
         "triangle": "0,-5.5 5.5,4.5 -5.5,4.5",
         "diamond": "0,-6 6,0 0,6 -6,0",
         "cross": "-5,-3 -3,-5 0,-2 3,-5 5,-3 2,0 5,3 3,5 0,2 -3,5 -5,3 -2,0",
     }[kind]
-    return f'<polygon points="{outline}" transform="translate({x:.1f} {y:.1f})" fill="{colour}"/>'
+    return f'<polygon points="{outline}" transform="translate({x:.1f} {y:.1f})" fill="{color}"/>'
 
 
 def words(x, y, anchor, text):
@@ -57,8 +57,8 @@ def panel(rows, columns, left, title, decades):
     bottom = TOP + ROW * len(rows)
     yield words(left, 18, "start", f"<tspan font-weight='bold'>{title}</tspan>")
     at = left
-    for name, (colour, kind) in columns.items():
-        yield shape(kind, at + 5, 37, colour)
+    for name, (color, kind) in columns.items():
+        yield shape(kind, at + 5, 37, color)
         yield words(at + 14, 41, "start", HEADS.get(name, name.split(",")[0]))
         at += 24 + 7.2 * len(HEADS.get(name, name.split(",")[0]))
     for decade in range(first, last + 1):
@@ -71,8 +71,8 @@ def panel(rows, columns, left, title, decades):
         ends = [across(pick(values.values())) for pick in (min, max)]
         yield f'<line x1="{ends[0]:.1f}" y1="{y}" x2="{ends[1]:.1f}" y2="{y}" stroke="#bbbbbb"/>'
         for name, value in values.items():
-            colour, kind = columns[name]
-            yield shape(kind, across(value), y, colour)
+            color, kind = columns[name]
+            yield shape(kind, across(value), y, color)
 
 
 def main():

@@ -1,4 +1,4 @@
-//! The classical method of order four on coordinates, the quaternion normalised after each step: what is found in most
+//! The classical method of order four on coordinates, the quaternion normalized after each step: what is found in most
 //! simulators.
 //!
 //! W. Kutta, Zeitschrift für Mathematik und Physik 46 (1901) 435.
@@ -12,30 +12,30 @@ use crate::method::Method;
 use crate::problem::Problem;
 
 /// A state whose coordinates are not independent.
-pub trait Renormalised {
+pub trait Renormalized {
     /// With an attitude of unit length.
     #[must_use]
-    fn renormalised(self) -> Self;
+    fn renormalized(self) -> Self;
 }
 
-impl Renormalised for Hinge {
+impl Renormalized for Hinge {
     #[inline(always)]
-    fn renormalised(self) -> Self {
+    fn renormalized(self) -> Self {
         self
     }
 }
 
-impl Renormalised for Rotation {
+impl Renormalized for Rotation {
     #[inline(always)]
-    fn renormalised(mut self) -> Self {
+    fn renormalized(mut self) -> Self {
         self.attitude.renormalize();
         self
     }
 }
 
-impl Renormalised for Spatial {
+impl Renormalized for Spatial {
     #[inline(always)]
-    fn renormalised(mut self) -> Self {
+    fn renormalized(mut self) -> Self {
         self.attitude.renormalize();
         self
     }
@@ -43,13 +43,13 @@ impl Renormalised for Spatial {
 
 pub fn method<B>(problem: &Problem<B>) -> Method<'_, B::State>
 where
-    B: RigidBody<Scalar = f64, Input = (), State: Coordinates<Scalar = f64> + Renormalised>,
+    B: RigidBody<Scalar = f64, Input = (), State: Coordinates<Scalar = f64> + Renormalized>,
 {
     Method::fixed("RK4 by hand", |steps| {
         let h = problem.seconds / f64::from(steps);
         (0..steps).fold(black_box(&problem.start).clone(), |state, k| {
             let y = state.coordinates();
-            step(&problem.body, f64::from(k) * h, &y, h).renormalised()
+            step(&problem.body, f64::from(k) * h, &y, h).renormalized()
         })
     })
 }

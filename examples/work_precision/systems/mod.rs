@@ -9,7 +9,7 @@ use newton_euler::prelude::*;
 
 use crate::distance::{Distance, relative};
 use crate::measure::{Care, Curve};
-use crate::peers::{self, Renormalised};
+use crate::peers::{self, Renormalized};
 use crate::problem::Problem;
 use crate::reference::{number, system};
 use crate::{ours, problems};
@@ -111,22 +111,22 @@ impl Distance for ArmState {
     }
 }
 
-impl Renormalised for DoublePendulumState {
-    fn renormalised(self) -> Self {
+impl Renormalized for DoublePendulumState {
+    fn renormalized(self) -> Self {
         self
     }
 }
 
-impl Renormalised for WheelsState {
+impl Renormalized for WheelsState {
     #[inline(always)]
-    fn renormalised(mut self) -> Self {
-        self.orbit = self.orbit.renormalised();
+    fn renormalized(mut self) -> Self {
+        self.orbit = self.orbit.renormalized();
         self
     }
 }
 
-impl Renormalised for ArmState {
-    fn renormalised(self) -> Self {
+impl Renormalized for ArmState {
+    fn renormalized(self) -> Self {
         self
     }
 }

@@ -48,7 +48,7 @@ impl<S: Subject> Output<S> for Momentum {
             moment(|momentum| &momentum.angular),
             moment(|momentum| &momentum.about_pole),
         );
-        // if the motion of G is not modelled, the momentum is unknown
+        // if the motion of G is not modeled, the momentum is unknown
         let is_known = shapes.motion.knows_position();
         let linear = site.method(self.0.as_ref(), |writer, momentum| {
             if !is_known {

@@ -7,7 +7,7 @@ language! {
     Units {
         "Gram, with a prefix of SI."
             g pg ng ug mg cg dg dag hg kg Mg Gg Tg;
-        "Metre, with a prefix of SI."
+        "Meter, with a prefix of SI."
             m pm nm um mm cm dm dam hm km Mm Gm Tm;
         "Second, with a prefix of SI."
             s ps ns us ms cs ds das hs ks Ms Gs Ts;

@@ -24,7 +24,7 @@ language! {
         "`prismatic(P, Q, direction)`: a slide." prismatic;
         "`cylindrical(P, Q, direction)`: slides along and turns about a direction." cylindrical;
         "`pin_in_slot(P, Q, direction)`: in the plane, slides along a slot and turns." pin_in_slot;
-        "`screw(P, Q, direction, pitch)`, with the pitch in metres per radian." screw;
+        "`screw(P, Q, direction, pitch)`, with the pitch in meters per radian." screw;
         "`universal(P, Q, direction_1, direction_2)`: the first is fixed in the carrier." universal;
         "`spherical(P, Q)`: a ball joint." spherical;
         "`planar(P, Q, normal)`: slides across the normal and turns about it." planar;

@@ -1,6 +1,6 @@
 //! The state of a slender rod: five degrees of freedom.
 //!
-//! A rod has no moment of inertia about its axis, and rotation about it is not modelled. What
+//! A rod has no moment of inertia about its axis, and rotation about it is not modeled. What
 //! remains of the attitude is the axis u, a point of the unit sphere, and its rate u̇, tangent
 //! there.
 

@@ -193,7 +193,7 @@ pub fn is_manner(line: &str) -> bool {
         " one by one: ",
         "the motion is planar",
         "the body does not turn",
-        "is not modelled",
+        "is not modeled",
         "turns about a point of it",
         "no moment about",
         "no inertia about it",

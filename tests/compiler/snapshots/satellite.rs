@@ -13,7 +13,7 @@
 /// - `loads`: 18 mul + 12 add
 ///
 /// Skipped:
-/// - the force balance: the motion of G is not modelled
+/// - the force balance: the motion of G is not modeled
 /// - lambda w of J w: it is along w, and not in w x J w
 /// - attitude: the accelerations do not depend on it
 /// - energy, momentum: not in `outputs`
@@ -44,7 +44,7 @@ impl Satellite {
     ];
     /// The terms that were left out, and why.
     pub const SKIPPED: &[&str] = &[
-        "the force balance: the motion of G is not modelled",
+        "the force balance: the motion of G is not modeled",
         "lambda w of J w: it is along w, and not in w x J w",
         "attitude: the accelerations do not depend on it",
         "energy, momentum: not in `outputs`",

@@ -15,14 +15,14 @@ use crate::flat::{Token, unflatten};
 use crate::generate::stream;
 use crate::mutate::mutant;
 use crate::times::Times;
-use crate::verdict::{Answer, Failure, ask, keep_panics, minimised};
+use crate::verdict::{Answer, Failure, ask, keep_panics, minimized};
 use crate::words::Words;
 
 /// Executions of one thread, whose name says which: a stack that overflows prints it.
 const BATCH: u64 = 100_000;
 /// What is longer is a hang.
 const HANG: Duration = Duration::from_secs(60);
-/// How long an expansion may take, in an optimised build.
+/// How long an expansion may take, in an optimized build.
 pub const BOUND: Duration = Duration::from_millis(2);
 /// What stands for the number of an execution when all are done.
 const ENDED: u64 = u64::MAX;
@@ -88,7 +88,7 @@ pub struct Report {
 
 fn input(plan: &Plan, material: &Material, number: u64) -> (Origin, Vec<Token>) {
     let mut rng = Rng::with_seed(plan.seed.rotate_left(32) ^ number);
-    // neighbouring seeds begin alike
+    // neighboring seeds begin alike
     for _ in 0..4 {
         rng.u64(..);
     }
@@ -180,7 +180,7 @@ fn execute(plan: &Plan, material: &Material, number: u64, report: &mut Report) {
         Err(failure) => {
             let alike =
                 |shorter: &[Token]| ask(shorter).is_err_and(|other| other.is_like(&failure));
-            let least = minimised(&tokens, alike);
+            let least = minimized(&tokens, alike);
             let failure = ask(&least).err().unwrap_or(failure);
             let text = unflatten(&least).to_string();
             println!("execution {number}: {failure:?}\n{text}\n");

@@ -164,7 +164,7 @@ fn names(tokens: TokenStream, found: &mut Vec<String>) {
 }
 
 /// The least part of the tokens for which `fails` still holds, by leaving out shorter and shorter stretches.
-pub fn minimised(tokens: &[Token], fails: impl Fn(&[Token]) -> bool) -> Vec<Token> {
+pub fn minimized(tokens: &[Token], fails: impl Fn(&[Token]) -> bool) -> Vec<Token> {
     let mut least = tokens.to_vec();
     let mut length = least.len().div_ceil(2);
     while length > 0 {

@@ -66,7 +66,7 @@ const TIP: Vector3<f64> = Vector3::new(-0.3, 0.2, 0.4);
 pub struct Scene {
     /// P, from G.
     pub origin: Vector3<f64>,
-    /// Whether it hangs and is pulled by the spring: not, if the motion of G is not modelled.
+    /// Whether it hangs and is pulled by the spring: not, if the motion of G is not modeled.
     pub is_placed: bool,
     pub push: Vector3<f64>,
     pub twist: Vector3<f64>,

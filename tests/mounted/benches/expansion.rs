@@ -104,13 +104,13 @@ fn with_everything() -> TokenStream {
 }
 
 fn main() {
-    let unoptimised = cfg!(debug_assertions);
+    let unoptimized = cfg!(debug_assertions);
     println!(
         "expansion in ms, best of 5, and in thousands of characters, {}",
-        if unoptimised {
-            "unoptimised as for a user"
+        if unoptimized {
+            "unoptimized as for a user"
         } else {
-            "optimised"
+            "optimized"
         }
     );
     let (none, linearization) = (quote!(), quote!(linearization));

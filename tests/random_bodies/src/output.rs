@@ -101,7 +101,7 @@ impl fmt::Display for Output {
 #[derive(Debug, Default)]
 pub struct Answers {
     pub list: Vec<(Output, usize, [f64; 3])>,
-    /// The rows of the accelerations and of the rates in a linearisation, by columns of the state,
+    /// The rows of the accelerations and of the rates in a linearization, by columns of the state,
     /// and behind them by columns of the parameters.
     pub derivatives: Vec<Vec<f64>>,
     /// Whether `new` refused the parameters.

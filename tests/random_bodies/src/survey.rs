@@ -37,7 +37,7 @@ pub struct Survey {
     pub undefined: u64,
     /// Products of the norms of inertia and its inverse: the largest.
     pub condition: f64,
-    /// Entries of linearisations, those that differences do not decide, and those that differ.
+    /// Entries of linearizations, those that differences do not decide, and those that differ.
     pub derivatives: u64,
     pub undecided: u64,
     pub wrong: Vec<String>,
@@ -246,7 +246,7 @@ impl fmt::Display for Survey {
         }
         writeln!(
             f,
-            "{derivatives} entries of linearisations; {undecided} undecided, {} wrong",
+            "{derivatives} entries of linearizations; {undecided} undecided, {} wrong",
             wrong.len()
         )?;
         writeln!(

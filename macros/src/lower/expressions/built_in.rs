@@ -293,7 +293,7 @@ impl Lowering<'_> {
                 name.span(),
                 format!(
                     "`{name}` is not known under `motion: rotation`: the motion of G is not \
-                     modelled"
+                     modeled"
                 ),
             );
         }

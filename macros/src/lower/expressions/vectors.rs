@@ -157,7 +157,7 @@ impl Lowering<'_> {
                 method.span(),
                 format!(
                     "the {method} of a point of the body is not known under `motion: rotation`: \
-                     the motion of G is not modelled"
+                     the motion of G is not modeled"
                 ),
             );
         }

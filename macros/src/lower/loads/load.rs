@@ -38,7 +38,7 @@ impl Lowering<'_> {
                 Point::Fixed(Frame::WORLD, _) if !self.motion.knows_position() => self.report(
                     point.extent,
                     "where this point is relative to the body is not known under `motion: \
-                     rotation`: the motion of G is not modelled",
+                     rotation`: the motion of G is not modeled",
                 ),
                 found => Some(found),
             }),
@@ -58,7 +58,7 @@ impl Lowering<'_> {
             return self.report(
                 value.extent,
                 "under `motion: rotation` the moment balance is written about G: the motion of G \
-                 is not modelled",
+                 is not modeled",
             );
         }
         Some(point)

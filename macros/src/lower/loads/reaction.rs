@@ -94,7 +94,7 @@ impl Lowering<'_> {
             let place = placeholders(value).next()?.1;
             return self.report(
                 place,
-                "an unknown force follows from the motion of G, which is not modelled under \
+                "an unknown force follows from the motion of G, which is not modeled under \
                  `motion: rotation`: hold a point by `motion: fixed_point(P)`",
             );
         }

@@ -37,7 +37,7 @@ impl Lowering<'_> {
         let net: Vec<Id> = charges.iter().map(|(charge, _)| *charge).collect();
         let net = graph.sum(&net);
         let dipole = moment(graph, &charges);
-        // if the motion of G is not modelled, positions are relative to G; if a point of the body
+        // if the motion of G is not modeled, positions are relative to G; if a point of the body
         // is held, they are relative to that point
         let position = self.state.position;
         let body = self.work.part(position, self.state.body);

@@ -47,7 +47,7 @@ pub struct LoadExpressions {
     pub name: String,
     pub family: Family,
     pub force: Components,
-    /// The point of action; measured from G if the motion of G is not modelled.
+    /// The point of action; measured from G if the motion of G is not modeled.
     pub point: Components,
     pub moment: Components,
 }

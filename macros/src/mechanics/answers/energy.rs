@@ -45,7 +45,7 @@ pub fn potential(model: &Model, work: &mut Workspace) -> Id {
 }
 
 /// `F . x` for a uniform field, where `x` is its point of action. If the motion of G is not
-/// modelled, positions are relative to G.
+/// modeled, positions are relative to G.
 pub fn done_by_field(
     work: &mut Workspace,
     state: &State,

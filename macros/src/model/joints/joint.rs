@@ -28,8 +28,8 @@ pub enum Center {
     Free,
     /// It follows from the attitude, since one point of the body is held in space.
     Held,
-    /// It is not modelled, and its place is unknown.
-    Unmodelled,
+    /// It is not modeled, and its place is unknown.
+    Unmodeled,
 }
 
 /// The kind of a body's attitude.
@@ -68,7 +68,7 @@ impl Joint {
     pub fn knows_position(&self) -> bool {
         match self.center {
             Center::Free | Center::Held => true,
-            Center::Unmodelled => false,
+            Center::Unmodeled => false,
         }
     }
 
@@ -118,7 +118,7 @@ impl Joint {
     pub fn linear_axes(&self) -> Range<usize> {
         match self.center {
             Center::Free => 0..self.axes(),
-            Center::Held | Center::Unmodelled => 0..0,
+            Center::Held | Center::Unmodeled => 0..0,
         }
     }
 

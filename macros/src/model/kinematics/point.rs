@@ -5,7 +5,7 @@ use crate::symbolic::Components;
 
 use super::vector::Vector;
 
-/// A point, in metres.
+/// A point, in meters.
 #[derive(Clone, Copy, Debug)]
 pub enum Point {
     /// Fixed in a frame: its offset from the origin, which is G for a body.

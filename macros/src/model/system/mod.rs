@@ -94,7 +94,7 @@ pub struct Connection {
     /// zero coordinates. If the joint closes a loop and has a single axis in space, two vectors
     /// perpendicular to it follow.
     pub directions: Vec<Components>,
-    /// For a screw: metres per radian.
+    /// For a screw: meters per radian.
     pub pitch: Option<Id>,
     /// The attitude of the carried body at zero coordinates, as rotations in sequence. Each is
     /// about an axis of the frame that the preceding ones have rotated; the first is about an axis

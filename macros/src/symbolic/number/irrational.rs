@@ -4,7 +4,7 @@
 //! have random residues, up to `sin^2 + cos^2 = 1`. The root of a rational number is the product of
 //! the roots of its prime factors, whose signs no identity distinguishes. A number is zero if its
 //! residue is zero and its value may be: its residue is zero by an identity in all of these, except
-//! with probability 2^-100. A value that has cancelled down to its error, without being proved
+//! with probability 2^-100. A value that has canceled down to its error, without being proved
 //! zero, is computed again with more bits.
 
 use core::cell::RefCell;

@@ -41,7 +41,7 @@ pub const KNOWN: [&str; 10] = [
     "damping",
     "delay",
 ];
-/// Attributes that do not affect the motion, since limits are not modelled.
+/// Attributes that do not affect the motion, since limits are not modeled.
 pub const SKIPPED: [&str; 14] = [
     "ctrllimited",
     "ctrlrange",

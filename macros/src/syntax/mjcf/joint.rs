@@ -56,7 +56,7 @@ pub const KNOWN: [&str; 11] = [
     "armature",
     "frictionloss",
 ];
-/// Attributes that do not affect the motion, since limits are not modelled.
+/// Attributes that do not affect the motion, since limits are not modeled.
 pub const SKIPPED: [&str; 13] = [
     "springdamper",
     "solreflimit",

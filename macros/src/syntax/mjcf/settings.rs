@@ -113,7 +113,7 @@ const ON: [&str; 6] = [
     "passive",
     "actuation",
 ];
-/// Flags that do not affect forward dynamics, since contact and limits are not modelled.
+/// Flags that do not affect forward dynamics, since contact and limits are not modeled.
 const FLAGS: [&str; 22] = [
     "contact",
     "limit",

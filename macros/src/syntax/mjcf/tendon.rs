@@ -31,7 +31,7 @@ pub const KNOWN: [&str; 8] = [
     "frictionloss",
     "armature",
 ];
-/// Attributes that do not affect the motion, since limits are not modelled.
+/// Attributes that do not affect the motion, since limits are not modeled.
 pub const SKIPPED: [&str; 11] = [
     "limited",
     "range",

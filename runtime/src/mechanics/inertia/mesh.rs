@@ -66,7 +66,7 @@ const NOTHING: f64 = 1e-13;
 
 impl MassProperties {
     /// The mass properties from an STL file, text or binary, whose triangles are counterclockwise
-    /// seen from outside. Scale is metres per unit of the file, such as 1e-3, and density is in
+    /// seen from outside. Scale is meters per unit of the file, such as 1e-3, and density is in
     /// kg/m^3. Results are in the axes of the file, the center from its origin.
     ///
     /// Vertices at identical positions, to the bit, are merged.

@@ -17,7 +17,7 @@ pub struct Load<T: Scalar> {
     pub family: Family,
     /// The force, world axes \[N\].
     pub force: Vector3<T>,
-    /// The point of action: world position, or from G in world axes if G's motion is not modelled
+    /// The point of action: world position, or from G in world axes if G's motion is not modeled
     /// (`rotation`) \[m\].
     pub point: Vector3<T>,
     /// The couple, world axes, without the moment of the force \[N m\].

@@ -1,7 +1,7 @@
 //! What counts as an answer of the expander, and what counts as a failure.
 
 use fuzz::flat::{Token, flatten, unflatten};
-use fuzz::verdict::{Answer, Failure, answer, keep_panics, minimised};
+use fuzz::verdict::{Answer, Failure, answer, keep_panics, minimized};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -62,6 +62,6 @@ fn all_else_is_a_failure() {
 fn failures_are_made_small() {
     let tokens = flatten(quote!(a, b, (c, needle, d), e));
     let fails = |tokens: &[Token]| unflatten(tokens).to_string().contains("needle");
-    let least = unflatten(&minimised(&tokens, fails));
+    let least = unflatten(&minimized(&tokens, fails));
     assert_eq!(least.to_string(), "needle");
 }

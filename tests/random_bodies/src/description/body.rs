@@ -196,7 +196,7 @@ impl Motion {
         !matches!(self, Self::Translation | Self::PlanarTranslation)
     }
 
-    /// Whether the motion of G is modelled.
+    /// Whether the motion of G is modeled.
     pub fn moves(&self) -> bool {
         !matches!(self, Self::Rotation)
     }

@@ -194,7 +194,7 @@ impl Draw {
                 coordinates,
             });
         }
-        // where the motion of G is not modelled, no place in space is known from the body
+        // where the motion of G is not modeled, no place in space is known from the body
         if self.body.motion.moves() {
             for _ in 0..self.random.usize(1..=2) {
                 let coordinates = self.world_coordinates();

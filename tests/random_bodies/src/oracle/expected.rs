@@ -140,7 +140,7 @@ impl List<'_> {
     fn momenta(&mut self) {
         let scene = self.scene;
         let spin = spin(scene);
-        // where the motion of G is not modelled, its velocity is zero
+        // where the motion of G is not modeled, its velocity is zero
         let momentum = scene.velocity.scaled(scene.constants.mass);
         let from_pole = -scene.arm(&scene.constants.body.pole);
         self.tell(Output::LinearMomentum, 0, momentum);

@@ -8,9 +8,9 @@ use crate::wide::Wide;
 /// Below this fraction of its size, a difference decides nothing.
 pub const NEAR: f64 = 1e-11;
 
-/// Of what has cancelled in a number that is known, this much is left to its size, so that a
+/// Of what has canceled in a number that is known, this much is left to its size, so that a
 /// tolerance of 1e-20 is above the rounding of 106 bits.
-const CANCELLED: f64 = 1e-9;
+const CANCELED: f64 = 1e-9;
 
 /// A number and its size: that of the largest term that a sum of products has, written out. A rounding somewhere on the way
 /// to it is a unit in the last place of that, at most.
@@ -64,7 +64,7 @@ impl Number {
     /// Its size to what is not known.
     pub fn span(self) -> f64 {
         if self.known {
-            self.value.high.abs().max(CANCELLED * self.size)
+            self.value.high.abs().max(CANCELED * self.size)
         } else {
             self.size
         }

@@ -6,7 +6,7 @@ use crate::wide::Wide;
 
 use super::number::{Number, product};
 
-/// A vector and its size, a product of the norms of its factors: a component may have cancelled out of terms that large.
+/// A vector and its size, a product of the norms of its factors: a component may have canceled out of terms that large.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Vector {
     pub value: [Wide; 3],

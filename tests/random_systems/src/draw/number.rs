@@ -208,7 +208,7 @@ impl Numbers {
     }
 }
 
-/// All its digits, not only those that tell it from its neighbours.
+/// All its digits, not only those that tell it from its neighbors.
 pub fn literal(value: f64) -> String {
     let text = format!("{value:.80}");
     let text = text.trim_end_matches('0').trim_end_matches('.');

@@ -73,7 +73,7 @@ impl Reader<'_> {
         }
         let written = &arguments[3];
         self.at_top(errors, |lowering| {
-            let what = "the pitch of a screw, metres per radian,";
+            let what = "the pitch of a screw, meters per radian,";
             let pitch = lowering.scalar(written, Dimension::LENGTH, what)?;
             lowering.check_early(written, &[pitch], "a pitch is fixed")?;
             Some(Some(pitch))

@@ -92,11 +92,11 @@ impl<'a> Assembly<'a> {
         for coordinate in self.coordinates {
             values.insert(coordinate.symbol, scale * random.number());
         }
-        self.normalise(&mut values);
+        self.normalize(&mut values);
         values
     }
 
-    fn normalise(&self, values: &mut Values) {
+    fn normalize(&self, values: &mut Values) {
         for attitude in &self.attitudes {
             let parts = attitude.map(|part| values.get(&part).copied().unwrap_or(0.0));
             let norm = parts.iter().map(|part| part * part).sum::<f64>().sqrt();
@@ -186,7 +186,7 @@ impl<'a> Assembly<'a> {
                 *value += change;
             }
         }
-        self.normalise(&mut moved);
+        self.normalize(&mut moved);
         moved
     }
 

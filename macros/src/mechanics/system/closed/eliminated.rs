@@ -24,7 +24,7 @@ pub struct Found {
     pub loose: Vec<Vec<Id>>,
     /// For each row, whether it follows from others in closed states.
     pub follows: Vec<bool>,
-    /// Coordinates whose inertia is cancelled by loads that depend on accelerations.
+    /// Coordinates whose inertia is canceled by loads that depend on accelerations.
     pub light: Vec<usize>,
 }
 

@@ -25,7 +25,7 @@ pub struct Thread {
     /// Two directions across the axis that agree at zero coordinates, one of the carrier and one of
     /// the carried body.
     pub across: [Components; 2],
-    /// Metres per radian.
+    /// Meters per radian.
     pub pitch: Id,
 }
 

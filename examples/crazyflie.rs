@@ -6,7 +6,7 @@
 //! positions are those commonly used with it.
 //!
 //! Body axes: x forward, y left, z up, from G; world z is up. Rotors, seen from above: 1 front
-//! right, 2 back right, 3 back left, 4 front left. Spin convention: 1 and 3 turn anticlockwise,
+//! right, 2 back right, 3 back left, 4 front left. Spin convention: 1 and 3 turn counterclockwise,
 //! about +z, and the air turns the body about -z with their torque; 2 and 4 the other way. The
 //! rotors' own angular momentum is neglected.
 //!

@@ -1,7 +1,7 @@
 //! A double pendulum: chaotic motion with conserved energy.
 //!
 //! The upper arm hangs from the origin of the world, and the lower one from the tip of the upper.
-//! Angles are anticlockwise; that of the elbow is from the upper arm to the lower.
+//! Angles are counterclockwise; that of the elbow is from the upper arm to the lower.
 //!
 //! Asserts: accelerations to 20 digits in one state; after twenty seconds two motions that begin
 //! 1e-9 rad apart have separated; a motion of a thousand seconds has conserved its energy to 1e-12.

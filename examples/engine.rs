@@ -10,7 +10,7 @@
 use newton_euler::prelude::*;
 
 rigid_system!(Engine {
-    doc: "Crank, rod and piston; angles anticlockwise, the piston moves along x.",
+    doc: "Crank, rod and piston; angles counterclockwise, the piston moves along x.",
     motion: planar,
     params: [speed = 300[rad / s], gas = 1500[N]],
     bodies: [

@@ -12,7 +12,7 @@ use newton_euler::nalgebra::{Matrix, Matrix2, SMatrix, SVector, Vector2};
 use newton_euler::prelude::*;
 
 rigid_system!(FourBar {
-    doc: "Crank, coupler and rocker; angles anticlockwise.",
+    doc: "Crank, coupler and rocker; angles counterclockwise.",
     motion: planar,
     params: [speed = 12[rad / s]],
     bodies: [

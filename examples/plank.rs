@@ -1,6 +1,6 @@
 //! A thrown plank in its plane: three equations, and a closed form for all of them.
 //!
-//! World x is horizontal, y up; the angle is anticlockwise from world x to the plank's x axis,
+//! World x is horizontal, y up; the angle is counterclockwise from world x to the plank's x axis,
 //! which is along it. A uniform bar of length 2.4 m and height 0.2 m; no air, so the weight is the
 //! only load.
 //!

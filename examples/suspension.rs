@@ -1,10 +1,10 @@
-//! Half a car on its suspension: two wheels on slides, springs and dampers, and tyres pushed by the
+//! Half a car on its suspension: two wheels on slides, springs and dampers, and tires pushed by the
 //! road.
 //!
-//! World x is forward, y up. Springs and dampers act between the body and the wheels; a tyre is a
+//! World x is forward, y up. Springs and dampers act between the body and the wheels; a tire is a
 //! stiff spring to the road, which has one bump.
 //!
-//! Asserts: at rest the tyres carry the weight, each by its lever arm; energy lost in the
+//! Asserts: at rest the tires carry the weight, each by its lever arm; energy lost in the
 //! dampers brings the car back to rest after the bump.
 
 use newton_euler::prelude::*;
@@ -15,7 +15,7 @@ rigid_system!(Car {
     params: [
         spring = 22000[N / m],
         damper = 1500[N * s / m],
-        tyre = 180000[N / m],
+        tire = 180000[N / m],
         length = 0.55[m],
     ],
     inputs: [road_front[m], road_rear[m]],
@@ -32,12 +32,12 @@ rigid_system!(Car {
         front {
             mass: 32[kg],
             inertia: 0.9[kg * m ^ 2],
-            forces: [tyre_front = world(0, tyre * (road_front - position.in_world().y))],
+            forces: [tire_front = world(0, tire * (road_front - position.in_world().y))],
         },
         rear {
             mass: 32[kg],
             inertia: 0.9[kg * m ^ 2],
-            forces: [tyre_rear = world(0, tyre * (road_rear - position.in_world().y))],
+            forces: [tire_rear = world(0, tire * (road_rear - position.in_world().y))],
         },
     ],
     joints: [
@@ -79,13 +79,13 @@ fn main() {
         let (sine, cosine) = rest.pitch.angle.sin_cos();
         rest.heave.position + 0.55 + lever * sine - strut.position * cosine
     };
-    let tyre = |height: f64| -180_000.0 * height;
+    let tire = |height: f64| -180_000.0 * height;
     let (front, rear) = (
-        tyre(axle(&rest.strut_front, 1.2)),
-        tyre(axle(&rest.strut_rear, -1.4)),
+        tire(axle(&rest.strut_front, 1.2)),
+        tire(axle(&rest.strut_rear, -1.4)),
     );
     println!(
-        "at rest: front tyre {front:.1} N, rear tyre {rear:.1} N, pitch {:.5} rad",
+        "at rest: front tire {front:.1} N, rear tire {rear:.1} N, pitch {:.5} rad",
         rest.pitch.angle
     );
     let weight = (1.0 + 575.0 + 32.0 + 32.0) * 9.80665;

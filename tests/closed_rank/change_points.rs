@@ -206,7 +206,7 @@ fn a_kite_folds_to_where_two_ways_lead_on() {
     assert!(state.o.angle.abs() < 1e-2, "{state:?}");
 }
 
-// the upper storey goes through a line while the lower one swings: long steps pass, short ones come to an
+// the upper story goes through a line while the lower one swings: long steps pass, short ones come to an
 // end where rounding would tell the way
 #[test]
 fn short_steps_to_a_change_point_come_to_an_end() {

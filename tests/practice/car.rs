@@ -1,10 +1,10 @@
-//! A car on two wheels, one at the front and one at the rear, with tyres by H. Pacejka's formula.
+//! A car on two wheels, one at the front and one at the rear, with tires by H. Pacejka's formula.
 
 use newton_euler::nalgebra::Matrix2;
 use newton_euler::prelude::*;
 
 rigid_body!(Car {
-    doc: "A car of one track; its tyres push sideways by the magic formula.",
+    doc: "A car of one track; its tires push sideways by the magic formula.",
     motion: planar,
     params: [front_arm = 1.2[m], rear_arm = 1.4[m], grip = 0.95],
     inputs: [steer[rad], drive[N]],
@@ -24,8 +24,8 @@ rigid_body!(Car {
         rear_side = -grip * weight * front_arm / base * (1.4 * rear_bent.atan()).sin(),
     ],
     forces: [
-        front_tyre = (front_side * body(-steer.sin(), steer.cos())).at(front),
-        rear_tyre = body(drive, rear_side).at(rear),
+        front_tire = (front_side * body(-steer.sin(), steer.cos())).at(front),
+        rear_tire = body(drive, rear_side).at(rear),
     ],
     outputs: [linearization],
 });
@@ -36,7 +36,7 @@ const FRONT: f64 = 1.2;
 const REAR: f64 = 1.4;
 const BASE: f64 = FRONT + REAR;
 
-/// Of a tyre with this stiffness factor under this share of the weight, by its slip angle.
+/// Of a tire with this stiffness factor under this share of the weight, by its slip angle.
 fn side(factor: f64, share: f64, slip: f64) -> f64 {
     let x = factor * slip;
     let bent = x + 0.6 * (x - x.atan());

@@ -48,7 +48,7 @@ fn state(turn: [f64; 2], tilt: [f64; 2], spin: f64) -> GyroscopeState {
 #[test]
 fn precesses_steadily() {
     let (gyroscope, spin) = (Gyroscope::default(), 900.0);
-    // the weight turns about -x, and takes the axis of the spin, y, towards -x: anticlockwise
+    // the weight turns about -x, and takes the axis of the spin, y, towards -x: counterclockwise
     let way = 0.08 * 0.4 / (ALONG * spin);
     let found = gyroscope.acceleration(0.0, &state([0.3, way], [0.0, 0.0], spin), &());
     for rate in [found.turn, found.tilt, found.spin] {

@@ -38,7 +38,7 @@ const PRACTICE: [(&str, &str, &str); 15] = [
         include_str!("satellite.rs"),
         "Satellite",
     ),
-    ("a car with a tyre formula", include_str!("car.rs"), "Car"),
+    ("a car with a tire formula", include_str!("car.rs"), "Car"),
     ("a driven pivot", include_str!("driven_pivot.rs"), "Shaken"),
     (
         "a motor that lags, with a controller",

@@ -14,7 +14,7 @@ use super::brackets::{
     is_value_in_brackets, meant,
 };
 use super::nesting::{DEPTH, Nested, crossed_limit, too_deep};
-use super::tokens::{argument_name, comma, has_comma, is_parenthesised, is_punct, start};
+use super::tokens::{argument_name, comma, has_comma, is_parenthesized, is_punct, start};
 use super::unit::UnitExpression;
 use super::words::is_keyword;
 
@@ -262,7 +262,7 @@ impl Screen<'_> {
             Some(TokenTree::Literal(number)) => number.to_string(),
             _ => String::new(),
         };
-        let message = if after.first().is_some_and(is_parenthesised) {
+        let message = if after.first().is_some_and(is_parenthesized) {
             let message = format!("a product is written with `*`: write `{number} * {word}(..)`");
             Some(message)
         } else {

@@ -239,7 +239,7 @@ fn without_quotes(entry: &mut [TokenTree], errors: &mut Errors) {
     }
 }
 
-pub fn is_parenthesised(token: &TokenTree) -> bool {
+pub fn is_parenthesized(token: &TokenTree) -> bool {
     matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis)
 }
 

@@ -130,7 +130,7 @@ impl<'s, S> Page<'s, S> {
         self
     }
 
-    /// Shows the solids with z up, seen from an azimuth, anticlockwise from the x-axis, and an
+    /// Shows the solids with z up, seen from an azimuth, counterclockwise from the x-axis, and an
     /// elevation above the horizon \[rad\]. Angles that are not finite change nothing.
     #[must_use]
     pub fn seen_from(mut self, azimuth: f64, elevation: f64) -> Self {

@@ -169,7 +169,7 @@ impl Solid {
 mod tests {
     use super::*;
 
-    /// The volume within some faces, positive if all are seen anticlockwise from outside.
+    /// The volume within some faces, positive if all are seen counterclockwise from outside.
     fn volume(solid: &Solid) -> f64 {
         let faces = solid.faces.iter();
         faces

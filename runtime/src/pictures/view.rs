@@ -17,7 +17,7 @@ impl View {
         }
     }
 
-    /// With z up, seen from an azimuth, anticlockwise from the x-axis, and an elevation above the
+    /// With z up, seen from an azimuth, counterclockwise from the x-axis, and an elevation above the
     /// horizon \[rad\].
     pub(super) fn from(azimuth: f64, elevation: f64) -> Self {
         let ((sa, ca), (se, ce)) = (azimuth.sin_cos(), elevation.sin_cos());

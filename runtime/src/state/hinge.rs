@@ -27,7 +27,7 @@ use crate::numbers::scalar::Scalar;
 )]
 pub struct Hinge<T: Scalar> {
     /// Zero with body axes along world axes; right-handed about the axis, in the plane
-    /// anticlockwise; not wrapped \[rad\].
+    /// counterclockwise; not wrapped \[rad\].
     #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::scalar"))]
     pub angle: T,
     /// Rate of the angle \[rad/s\].

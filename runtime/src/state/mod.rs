@@ -2,7 +2,7 @@
 //!
 //! One struct for each kind of `motion`. In all of them `position` and `velocity` are those of the
 //! center of mass G in world axes \[m, m/s\], `attitude` takes body components to world components,
-//! and `angular_velocity` is in body axes \[rad/s\]; planar angles are anticlockwise from world x
+//! and `angular_velocity` is in body axes \[rad/s\]; planar angles are counterclockwise from world x
 //! to body x \[rad\], not wrapped. The default state is at rest at the origin, body axes along
 //! world axes.
 //!

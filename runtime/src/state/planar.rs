@@ -20,7 +20,7 @@ pub struct Planar<T: Scalar> {
     /// Position of G, world axes \[m\].
     #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::vector"))]
     pub position: Vector2<T>,
-    /// From world x to body x, anticlockwise, not wrapped \[rad\].
+    /// From world x to body x, counterclockwise, not wrapped \[rad\].
     #[cfg_attr(feature = "serde", serde(deserialize_with = "finite::scalar"))]
     pub angle: T,
     /// Velocity of G, world axes \[m/s\].
@@ -37,7 +37,7 @@ pub struct Planar<T: Scalar> {
 pub struct PlanarAcceleration<T: Scalar> {
     /// Acceleration of G, world axes \[m/s²\].
     pub linear: Vector2<T>,
-    /// Angular acceleration, anticlockwise \[rad/s²\].
+    /// Angular acceleration, counterclockwise \[rad/s²\].
     pub angular: T,
 }
 

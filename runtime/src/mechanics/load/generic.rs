@@ -36,6 +36,6 @@ pub struct PlanarLoad<T: Scalar> {
     pub force: Vector2<T>,
     /// The point of action, world position \[m\].
     pub point: Vector2<T>,
-    /// The couple, positive anticlockwise, without the moment of the force \[N m\].
+    /// The couple, positive counterclockwise, without the moment of the force \[N m\].
     pub moment: T,
 }

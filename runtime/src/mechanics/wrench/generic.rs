@@ -18,7 +18,7 @@ pub struct Wrench<T: Scalar> {
     pub moment: Vector3<T>,
 }
 
-/// Force and moment in the plane, the moment positive anticlockwise.
+/// Force and moment in the plane, the moment positive counterclockwise.
 ///
 /// The operations are those of [`wrench::PlanarWrench`](crate::wrench::PlanarWrench), for `f64`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -26,6 +26,6 @@ pub struct Wrench<T: Scalar> {
 pub struct PlanarWrench<T: Scalar> {
     /// Resultant force \[N\].
     pub force: Vector2<T>,
-    /// Moment about the pole, anticlockwise \[N m\].
+    /// Moment about the pole, counterclockwise \[N m\].
     pub moment: T,
 }

@@ -99,7 +99,7 @@ impl Wrench {
     }
 }
 
-/// Force and moment in the plane, the moment positive anticlockwise.
+/// Force and moment in the plane, the moment positive counterclockwise.
 ///
 /// ```
 /// use newton_euler::nalgebra::Vector2;

@@ -226,7 +226,7 @@ pub enum PlanarReduction {
     Zero,
     /// F = 0: a couple, the same about every pole.
     Couple {
-        /// K, anticlockwise \[N m\].
+        /// K, counterclockwise \[N m\].
         moment: f64,
     },
     /// A single force, anywhere on its line.

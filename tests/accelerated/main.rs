@@ -1,6 +1,7 @@
 //! Loads that depend on the acceleration that they cause: added mass, rates of flow angles,
 //! feedthrough.
 
+mod added;
 mod bodies;
 mod held;
 mod systems;

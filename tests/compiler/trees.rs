@@ -5,9 +5,9 @@ use serde_json::Value;
 
 use mounted::mechanics::tree::link::{Freedom, Link, Tree};
 use mounted::mechanics::tree::properties::Properties;
-use mounted::mechanics::tree::spatial_vector::SpatialVector;
+use mounted::mechanics::tree::spatial::SpatialVector;
 use mounted::mechanics::tree::turning::Turning;
-use mounted::mechanics::tree::{derive_tree, lacking};
+use mounted::mechanics::tree::{LinkMotion, SpatialInertia, derive_tree, lacking};
 use mounted::model::Labels;
 use mounted::symbolic::{Components, Graph, Id, Number, Stage};
 
@@ -117,6 +117,7 @@ impl Reference {
                 freedoms: Vec::new(),
                 is_free: false,
                 properties: Properties::none(&self.graph),
+                added: SpatialInertia::none(&self.graph),
                 force: zeros,
                 moment: zeros,
             });
@@ -187,6 +188,7 @@ impl Reference {
             freedoms,
             is_free: kind == "FreeFlyer",
             properties,
+            added: SpatialInertia::none(&self.graph),
             force: zeros,
             moment: zeros,
         });
@@ -194,14 +196,42 @@ impl Reference {
     }
 }
 
+/// The tree with half of the inertia of each body added to the other half, and with loads for the
+/// motion that this half has without accelerations of the joints.
+fn halved(reference: &mut Reference) -> Tree {
+    let (graph, tree) = (&mut reference.graph, &mut reference.tree);
+    let half = graph.number(Number::ratio(1, 2));
+    let ground = LinkMotion::ground(graph, tree.gravity);
+    let mut motions: Vec<LinkMotion> = Vec::new();
+    let mut halved = tree.clone();
+    for link in &mut halved.links {
+        let carrier = link.carrier.map_or(ground, |carrier| motions[carrier]);
+        let motion = carrier.carried(graph, link);
+        motions.push(motion);
+        let whole = link.properties;
+        link.properties = Properties {
+            mass: graph.multiply(half, whole.mass),
+            first: graph.scale_vector(half, whole.first),
+            inertia: whole.inertia.map(|row| graph.scale_vector(half, row)),
+        };
+        link.added = SpatialInertia::of(graph, link);
+        let taken = motion.taken_by(graph, &link.properties);
+        link.force = graph.subtract_vectors(link.force, taken.linear);
+        link.moment = graph.subtract_vectors(link.moment, taken.angular);
+    }
+    halved
+}
+
 fn check(name: &str, text: &str, bound: u32) {
     let mut reference = Reference::read(text);
-    let found = derive_tree(
-        &mut reference.graph,
-        &mut Labels::default(),
-        &reference.tree,
-    )
-    .accelerations;
+    let tree = reference.tree.clone();
+    check_tree(name, &mut reference, &tree, bound);
+    let tree = halved(&mut reference);
+    check_tree(&format!("{name}, halved"), &mut reference, &tree, 4 * bound);
+}
+
+fn check_tree(name: &str, reference: &mut Reference, tree: &Tree, bound: u32) {
+    let found = derive_tree(&mut reference.graph, &mut Labels::default(), tree).accelerations;
     let roots: Vec<Id> = found.concat();
     let cost = reference.graph.late_cost(&roots);
     let values = &reference.values;

@@ -23,7 +23,8 @@ pub use kinematics::{
     Attitude, Axis, Own, Pair, Point, State, Support, Turn, Turns, Vector, Workspace, state_symbols,
 };
 pub use system::{
-    Axes, Connection, Constraints, Holds, JointKind, Member, Part, Property, System, Tie, TreeJoint,
+    Axes, Connection, Constraints, Felt, Holds, JointKind, Member, Part, Property, System, Tie,
+    TreeJoint,
 };
 pub use words::{
     AXES, Answers, Check, Checks, Claim, Dimension, Doubtful, ForeignConstant, ForeignFunction,

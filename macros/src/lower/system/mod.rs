@@ -50,7 +50,10 @@ fn lower_system(
     reader.late_points(&mut drafts, errors);
     reader.locals(errors, true);
     reader.top_constraints(&outline.inputs, errors);
-    let bodies = reader.bodies(&mut drafts, &mut wrong, &outline.inputs, errors);
+    let mut bodies = reader.bodies(&mut drafts, &mut wrong, &outline.inputs, errors);
+    if let Some(bodies) = &mut bodies {
+        reader.felt(&mut drafts, bodies);
+    }
     let potentials = reader.potentials(&mut drafts, &joints, errors);
     let constraints = reader.constraints_apart(&mut drafts, &joints, errors);
     let joints = reader.drives(joints, errors);

@@ -1,7 +1,9 @@
 //! Loads that depend on unknowns that are solved for: accelerations, and the loads of constraints.
 
+mod added;
 mod linear;
 mod settled;
 
+pub use added::Added;
 pub use linear::{LOAD, REACTION, check_linear, check_parts, unknowns_in};
 pub use settled::{as_given, settle, takes_inertia, with_settled};

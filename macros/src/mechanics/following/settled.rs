@@ -60,7 +60,7 @@ pub fn settle(
     let equations = equations(work, &residuals, &symbols);
     let solved = work.graph.solve(equations, symbols.len());
     if !solved.undetermined.is_empty() {
-        let mut loads = model.loads.iter().filter(|load| follows(work, load));
+        let mut loads = model.loads.iter().filter(|load| load.follows(work));
         let (place, name) = loads.next().map(|load| (load.mention, &load.name))?;
         let place = place.unwrap_or(name.span().into());
         return errors.report(place, takes_inertia(&name.to_string()));
@@ -244,12 +244,6 @@ fn put_into(
     }
     work.labels.vector("angular", angular);
     Pair { linear, angular }
-}
-
-/// Whether a load depends on an acceleration.
-fn follows(work: &Workspace, load: &Load) -> bool {
-    let parts = work.entries(&[load.force, load.moment]);
-    !work.accelerations_in(&parts).is_empty()
 }
 
 /// The body with the solutions put into its loads. Loads as functions of the symbols are kept

@@ -3,11 +3,11 @@
 use crate::errors::Errors;
 use crate::mechanics::Report;
 use crate::mechanics::answers::{Partial, Switch, derive_switches, list_partial, parts};
-use crate::mechanics::following::{takes_inertia, unknowns_in};
+use crate::mechanics::following::{Added, takes_inertia, unknowns_in};
 use crate::mechanics::report::list_laws_of_system;
 use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree::{self, Built, SolvedTree};
-use crate::model::{Own, System, Tie, Workspace};
+use crate::model::{Own, System, Tie, TreeJoint, Workspace};
 use crate::symbolic::Id;
 
 use super::closed::{Closed, Coordinates, check_kept, close};
@@ -28,27 +28,52 @@ pub struct SystemEquations {
     /// The tree after the reductions, with the chosen origins and axes.
     pub(super) reduced: Tree,
     pub(super) built: Built,
-    /// What is solved for under constraints, if there are any.
+    /// The inertia that loads add, if this is all that they do with accelerations.
+    added: Option<Added>,
+    /// The symbols that loads may depend on, with their solutions: first those of the loads of
+    /// written constraints, then those of accelerations.
+    settled: Vec<(Id, Id)>,
+    /// The tree with all loads on its links, also those of constraints.
+    loaded: Tree,
+    /// What is solved for under constraints, or if loads depend on accelerations in any other way.
     pub(super) closed: Option<Closed>,
 }
 
 /// Derives the equations of motion of a system.
 pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
     let built = tree::build(system, work);
-    let (found, closed) = if system.is_tree() && !follows(system, work) {
-        let found = tree::derive_tree(&mut work.graph, &mut work.labels, &built.tree);
-        (found, None)
-    } else {
-        let motion = motion(system, work);
-        let coordinates = coordinates(system, work, &built);
-        let (accelerations, closed) = close(system, work, &built, (&motion, &coordinates));
-        let found = SolvedTree {
-            accelerations,
-            left_out: Vec::new(),
-            reduced: built.tree.clone(),
-        };
-        (found, Some(closed))
+    let added = Added::of(system, work, &built);
+    let given = match &added {
+        Some(added) => added.by_symbols(&mut work.graph, &built.tree),
+        None => built.tree.clone(),
     };
+    let (mut loaded, mut closed) = (given.clone(), None);
+    let mut found = match &added {
+        Some(added) if system.is_tree() => {
+            let tree = added.put_into(&mut work.graph, &built.tree);
+            tree::derive_tree(&mut work.graph, &mut work.labels, &tree)
+        }
+        _ => {
+            let motion = motion(system, work);
+            let coordinates = coordinates(system, work, &built);
+            let sides = (&motion, &coordinates);
+            let (accelerations, constraints) =
+                close(system, work, (&built, added.as_ref()), sides, &mut loaded);
+            closed = Some(constraints);
+            SolvedTree {
+                accelerations,
+                left_out: Vec::new(),
+                reduced: given.clone(),
+            }
+        }
+    };
+    let mut settled = Vec::new();
+    if !added.as_ref().is_some_and(Added::is_nothing) || closed.is_some() {
+        // outputs use the loads as functions of the accelerations
+        found.reduced = given;
+        settled = solved(system, closed.as_ref(), &found.accelerations);
+        loaded.replace(&mut work.graph, &settled);
+    }
     let joints = built.links.iter().enumerate().map(|(joint, links)| {
         let best = found.accelerations[links.clone()].concat();
         let alone = closed.is_none().then(|| tree::alone(system, work, joint));
@@ -74,10 +99,8 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
     let time = system.bodies.first().map(|body| body.state.time);
     let switches = time.map(|time| derive_switches(time, &system.derivatives, work, &roots));
     let mut loads = loads(system, work);
-    if let Some(closed) = &closed {
-        for (_, parts) in &mut loads {
-            *parts = replace(&mut work.graph, parts, &closed.settled);
-        }
+    for (_, parts) in &mut loads {
+        *parts = replace(&mut work.graph, parts, &settled);
     }
     SystemEquations {
         switches: switches.unwrap_or_default(),
@@ -87,15 +110,26 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
         alone,
         reduced: found.reduced,
         built,
+        added,
+        settled,
+        loaded,
         closed,
     }
 }
 
 impl SystemEquations {
-    /// The tree with the loads of constraints on its links.
+    /// The tree with all loads on its links, also those of constraints.
     pub(super) fn loaded(&self) -> &Tree {
-        let closed = self.closed.as_ref();
-        closed.map_or(&self.built.tree, |closed| &closed.loaded)
+        &self.loaded
+    }
+
+    /// A form of the tree with the inertia that loads add, if this is all that they do with
+    /// accelerations.
+    pub(super) fn resisting(&self, work: &mut Workspace, tree: &Tree) -> Tree {
+        match &self.added {
+            Some(added) => added.put_into(&mut work.graph, tree),
+            None => tree.clone(),
+        }
     }
 
     /// The symbols of accelerations and of the loads of constraints, each with its solution.
@@ -112,8 +146,7 @@ impl SystemEquations {
 
     /// The solutions for the symbols that loads depend on.
     pub fn values(&self) -> &[(Id, Id)] {
-        let closed = self.closed.as_ref();
-        closed.map_or(&[], |closed| &closed.settled)
+        &self.settled
     }
 
     /// The load of each written constraint.
@@ -126,7 +159,8 @@ impl SystemEquations {
     /// and loads that cancel all inertia.
     pub fn check(&self, system: &System, work: &mut Workspace, errors: &mut Errors) -> Option<()> {
         let Some(closed) = &self.closed else {
-            return check_independence(system, work, &self.built, errors);
+            let tree = self.resisting(work, &self.built.tree);
+            return check_independence(system, work, (&self.built, &tree), errors);
         };
         let given = loads(system, work).into_iter().flat_map(|(_, parts)| parts);
         let followed = unknowns_in(work, &given.collect::<Vec<Id>>());
@@ -158,11 +192,15 @@ fn coordinates(system: &System, work: &mut Workspace, built: &Built) -> Coordina
     }
 }
 
-/// Whether any load or drive depends on an acceleration.
-fn follows(system: &System, work: &Workspace) -> bool {
-    let loads = loads(system, work).into_iter();
-    let parts: Vec<Id> = loads.flat_map(|(_, parts)| parts).collect();
-    !work.accelerations_in(&parts).is_empty()
+/// The symbols of the loads of written constraints and of accelerations, each with its solution.
+fn solved(system: &System, closed: Option<&Closed>, accelerations: &[Vec<Id>]) -> Vec<(Id, Id)> {
+    let loads = closed.into_iter().flat_map(|closed| &closed.loads);
+    let loads = system.constraints.loads.iter().zip(loads);
+    let open = system.joints.iter().filter(|joint| !joint.is_driven());
+    let symbols: Vec<Id> = open.flat_map(TreeJoint::accelerations).collect();
+    let moved = symbols.iter().zip(accelerations.iter().flatten());
+    let all = loads.chain(moved);
+    all.map(|(symbol, value)| (*symbol, *value)).collect()
 }
 
 /// The names of all loads and drives, and of the rates of user-defined states, with their

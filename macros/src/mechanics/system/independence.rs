@@ -2,6 +2,7 @@
 
 use crate::errors::Errors;
 use crate::mechanics::proofs::samples;
+use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{Built, MassMatrix};
 use crate::model::{Labels, System, Workspace};
 use crate::symbolic::{Id, Sample};
@@ -11,14 +12,14 @@ use crate::symbolic::{Id, Sample};
 pub fn check_independence(
     system: &System,
     work: &mut Workspace,
-    built: &Built,
+    (built, tree): (&Built, &Tree),
     errors: &mut Errors,
 ) -> Option<()> {
-    let mut links = built.tree.links.iter();
+    let mut links = tree.links.iter();
     if links.all(|link| !work.graph.is_zero(link.properties.mass)) {
         return Some(());
     }
-    let matrix = MassMatrix::derive(&mut work.graph, &mut Labels::silent(), &built.tree);
+    let matrix = MassMatrix::derive(&mut work.graph, &mut Labels::silent(), tree);
     let mut sound = Some(());
     for freedom in dependent(work, &matrix.rows) {
         let joint = joint_of(built, freedom)?;

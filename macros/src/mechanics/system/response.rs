@@ -68,7 +68,8 @@ impl Response {
         let tree = moved_in_world(work, &found.reduced);
         let given: Vec<Vec<Id>> = system.joints.iter().map(TreeJoint::accelerations).collect();
         let mut lacking = lacking_with(work, found, &tree, &given);
-        let mut matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &tree);
+        let resisting = found.resisting(work, &tree);
+        let mut matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &resisting);
         for (freedom, (symbol, solution)) in solved_alone(found, &tree, &given) {
             lacking[freedom] = work.graph.subtract(symbol, solution);
             matrix.separate(&mut work.graph, freedom, solution);

@@ -22,6 +22,10 @@ fn as_single(system: &System, work: &Workspace, number: usize) -> Option<Model> 
     if joint.carrier.is_some() || carries || joint.is_driven() || joint.armature.is_some() {
         return None;
     }
+    let is_driven_so = !work.accelerations_in(&joint.drives).is_empty();
+    if is_driven_so || body.loads.iter().any(|load| load.follows(work)) {
+        return None;
+    }
     let motion = joint.kind.motion(system.is_planar)?;
     let support = motion.is_supported().then(|| Support {
         offset: joint.pin,

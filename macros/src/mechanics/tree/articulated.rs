@@ -6,18 +6,9 @@ use crate::symbolic::{Components, Graph, Id};
 
 use super::link::{Freedom, Link};
 use super::properties::Properties;
-use super::spatial_vector::{Along, SpatialVector};
-use super::turning::{Turning, transposed};
+use super::spatial::{Along, SpatialInertia, SpatialVector};
 
 type Rows = [Components; 3];
-
-/// `moment = A alpha + B a`, `force = B^T alpha + M a`, about the origin of a link, in its axes.
-#[derive(Clone, Copy)]
-pub struct Articulated {
-    pub angular: Rows,
-    pub mixed: Rows,
-    pub linear: Rows,
-}
 
 /// What the elimination of a joint coordinate gives: `q'' = drive - share . a`, where a is the
 /// acceleration of the link without this coordinate.
@@ -54,61 +45,20 @@ impl Eliminated {
     }
 }
 
-impl Articulated {
-    pub fn of(graph: &mut Graph, properties: &Properties) -> Self {
+impl SpatialInertia {
+    /// The inertia of a link by itself, with what loads add to it.
+    pub fn of(graph: &mut Graph, link: &Link) -> Self {
+        let Properties { mass, first, .. } = link.properties;
         let mut linear = [graph.zeros(); 3];
         for (axis, row) in linear.iter_mut().enumerate() {
-            row[axis] = properties.mass;
+            row[axis] = mass;
         }
-        Self {
-            angular: properties.inertia,
-            mixed: skew(graph, properties.first),
+        let own = Self {
+            angular: link.properties.inertia,
+            mixed: skew(graph, first),
             linear,
-        }
-    }
-
-    pub fn plus(&self, graph: &mut Graph, other: &Self) -> Self {
-        let add = |graph: &mut Graph, a: &Rows, b: &Rows| {
-            [0, 1, 2].map(|i| graph.add_vectors(a[i], b[i]))
         };
-        Self {
-            angular: add(graph, &self.angular, &other.angular),
-            mixed: add(graph, &self.mixed, &other.mixed),
-            linear: add(graph, &self.linear, &other.linear),
-        }
-    }
-
-    /// Names all entries, and describes them.
-    pub fn name(&self, labels: &mut Labels, of: &str, meaning: &'static str) {
-        for part in [&self.angular, &self.mixed, &self.linear] {
-            labels.explain(part.concat(), meaning);
-        }
-        labels.matrix(&format!("inertia_{of}"), &self.angular);
-        labels.matrix(&format!("coupling_{of}"), &self.mixed);
-        labels.matrix(&format!("mass_{of}"), &self.linear);
-    }
-
-    /// Makes each entry a statement.
-    pub fn quantities(&self, graph: &mut Graph) -> Self {
-        let each = |graph: &mut Graph, rows: &Rows| rows.map(|row| graph.quantities(row));
-        Self {
-            angular: each(graph, &self.angular),
-            mixed: each(graph, &self.mixed),
-            linear: each(graph, &self.linear),
-        }
-    }
-
-    pub fn times(&self, graph: &mut Graph, twist: &SpatialVector) -> SpatialVector {
-        let of_angular = graph.transform(&self.angular, twist.angular);
-        let of_linear = graph.transform(&self.mixed, twist.linear);
-        let moment = graph.add_vectors(of_angular, of_linear);
-        let of_angular = graph.transform(&transposed(&self.mixed), twist.angular);
-        let of_linear = graph.transform(&self.linear, twist.linear);
-        let force = graph.add_vectors(of_angular, of_linear);
-        SpatialVector {
-            angular: moment,
-            linear: force,
-        }
+        own.plus(graph, &link.added)
     }
 
     /// Frees a coordinate of the link, and adapts the load that is lacking for its motion.
@@ -167,18 +117,6 @@ impl Articulated {
         }
     }
 
-    /// Makes both halves of each symmetric matrix the same expressions.
-    fn mirror(&mut self) {
-        for rows in [&mut self.angular, &mut self.linear] {
-            let upper = *rows;
-            for (i, row) in rows.iter_mut().enumerate() {
-                for (entry, above) in row[..i].iter_mut().zip(upper) {
-                    *entry = above[i];
-                }
-            }
-        }
-    }
-
     /// Along a freed coordinate, no inertia is left, and the load is the drive.
     fn give_way(
         &mut self,
@@ -209,42 +147,8 @@ impl Articulated {
 
     /// The same inertia about the origin of the carrier, in the axes of the carrier.
     pub fn seen_by_carrier(&self, graph: &mut Graph, link: &Link) -> Self {
-        let turning: Turning = link.turning;
-        let angular = turning.tensor(graph, &self.angular);
-        let mixed = turning.matrix(graph, &self.mixed);
-        let linear = turning.tensor(graph, &self.linear);
-        let turned = Self {
-            angular,
-            mixed,
-            linear,
-        };
-        let turned = turned.quantities(graph);
-        let r = link.place;
-        if graph.is_zero_vector(&r) {
-            return turned;
-        }
-        // B' = B + [r]x M, A' = A - B [r]x + [r]x B'^T
-        let across = |graph: &mut Graph, rows: &Rows| {
-            let columns = transposed(rows).map(|column| graph.cross(r, column));
-            transposed(&columns)
-        };
-        let levers = across(graph, &turned.linear);
-        let mixed = [0, 1, 2].map(|i| graph.add_vectors(turned.mixed[i], levers[i]));
-        let mixed = mixed.map(|row| graph.quantities(row));
-        let outer = across(graph, &transposed(&mixed));
-        // the rows of -(B [r]x) are r x b
-        let inner = turned.mixed.map(|row| graph.cross(r, row));
-        let angular = [0, 1, 2].map(|i| {
-            let sum = graph.add_vectors(inner[i], outer[i]);
-            graph.add_vectors(turned.angular[i], sum)
-        });
-        let mut seen = Self {
-            angular,
-            mixed,
-            linear: turned.linear,
-        };
-        seen.mirror();
-        seen
+        let turned = self.turned(graph, link.turning).quantities(graph);
+        turned.seen_from(graph, link.place)
     }
 }
 

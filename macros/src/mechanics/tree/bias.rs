@@ -5,7 +5,7 @@ use crate::symbolic::{Components, Graph, Id};
 
 use super::link::{Link, Tree};
 use super::properties::Properties;
-use super::spatial_vector::SpatialVector;
+use super::spatial::SpatialVector;
 
 /// The motion of a link, in its axes.
 #[derive(Clone, Copy)]

@@ -7,7 +7,7 @@ use crate::symbolic::{Components, Function, Id};
 
 use super::link::{Freedom, Link, Tree};
 use super::properties::Properties;
-use super::spatial_vector::SpatialVector;
+use super::spatial::{SpatialInertia, SpatialVector};
 use super::turning::Turning;
 
 /// A tree, and the links of each joint, the last of which is the body.
@@ -263,6 +263,7 @@ impl Making<'_> {
             freedoms,
             is_free: false,
             properties: Properties::none(graph),
+            added: SpatialInertia::none(graph),
             force: zeros,
             moment: zeros,
         });

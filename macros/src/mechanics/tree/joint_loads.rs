@@ -6,7 +6,7 @@ use crate::symbolic::{Graph, Id};
 use super::articulated::wrench_on_carrier;
 use super::bias::LinkMotion;
 use super::link::{Freedom, Link, Tree};
-use super::spatial_vector::{Along, SpatialVector};
+use super::spatial::{Along, SpatialVector};
 
 /// The motions of all links, with these accelerations of the coordinates, link by link.
 pub fn motions(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<LinkMotion> {

@@ -3,7 +3,7 @@
 use crate::symbolic::{Components, Graph, Id};
 
 use super::properties::Properties;
-use super::spatial_vector::SpatialVector;
+use super::spatial::{SpatialInertia, SpatialVector};
 use super::turning::Turning;
 
 /// Bodies, each carried by one before it or by the ground.
@@ -32,6 +32,8 @@ pub struct Link {
     /// origin is arbitrary.
     pub is_free: bool,
     pub properties: Properties,
+    /// The inertia that loads add to it, about its origin, in its axes.
+    pub added: SpatialInertia,
     /// The loads on it except gravity, about its origin, in its axes.
     pub force: Components,
     pub moment: Components,
@@ -65,6 +67,17 @@ impl Tree {
             .collect()
     }
 
+    /// Replaces symbols in all loads.
+    pub fn replace(&mut self, graph: &mut Graph, values: &[(Id, Id)]) {
+        for link in &mut self.links {
+            link.force = graph.replaced(link.force, values);
+            link.moment = graph.replaced(link.moment, values);
+            for freedom in &mut link.freedoms {
+                [freedom.drive] = graph.replaced([freedom.drive], values);
+            }
+        }
+    }
+
     /// Whether `link` is `below`, or `below` carries it.
     pub fn is_above(&self, mut link: usize, below: usize) -> bool {
         while link != below {
@@ -82,6 +95,7 @@ impl Tree {
         let is_zero = |vector: &Components| graph.is_zero_vector(vector);
         let loads = [link.force, link.moment, link.properties.first];
         let is_bare = graph.is_zero(link.properties.mass)
+            && link.added.is_zero(graph)
             && loads.iter().chain(&link.properties.inertia).all(is_zero);
         let mut above =
             (0..self.links.len()).filter(|other| self.links[*other].carrier == Some(index));

@@ -5,10 +5,10 @@
 use crate::model::Labels;
 use crate::symbolic::{Graph, Id};
 
-use super::articulated::{Articulated, wrench_on_carrier};
+use super::articulated::wrench_on_carrier;
 use super::bias::derive_bias;
 use super::link::{Link, Tree};
-use super::spatial_vector::SpatialVector;
+use super::spatial::{SpatialInertia, SpatialVector};
 
 /// `M q'' = drives - bias`, with a row and a column for each coordinate, link by link.
 pub struct MassMatrix {
@@ -22,10 +22,10 @@ impl MassMatrix {
     pub fn derive(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Self {
         let links = &tree.links;
         let bias = derive_bias(graph, labels, tree);
-        let mut composite: Vec<Articulated> = Vec::new();
+        let mut composite: Vec<SpatialInertia> = Vec::new();
         let mut lacking: Vec<SpatialVector> = Vec::new();
         for (link, (_, own)) in links.iter().zip(&bias) {
-            composite.push(Articulated::of(graph, &link.properties));
+            composite.push(SpatialInertia::of(graph, link));
             lacking.push(*own);
         }
         let first = first_freedoms(links);

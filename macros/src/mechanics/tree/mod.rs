@@ -17,7 +17,7 @@ pub mod properties;
 mod recursion;
 mod reductions;
 mod regrouping;
-pub mod spatial_vector;
+pub mod spatial;
 pub mod turning;
 
 pub use alone::alone;
@@ -28,4 +28,4 @@ pub use mass_matrix::MassMatrix;
 pub use properties::Properties;
 pub use recursion::{SolvedTree, derive_tree};
 pub use regrouping::regroup;
-pub use spatial_vector::SpatialVector;
+pub use spatial::{SpatialInertia, SpatialVector};

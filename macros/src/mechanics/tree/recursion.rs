@@ -3,13 +3,13 @@
 use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
-use super::articulated::{Articulated, Eliminated, wrench_on_carrier};
+use super::articulated::{Eliminated, wrench_on_carrier};
 use super::bias::derive_bias;
 use super::link::{Link, Tree};
 use super::mass_matrix::MassMatrix;
 use super::reductions::{drop_frames, merge_welds, reduced};
 use super::regrouping::left_out;
-use super::spatial_vector::SpatialVector;
+use super::spatial::{SpatialInertia, SpatialVector};
 
 /// The accelerations of the coordinates, link by link in the order of the tree. For a free link,
 /// those of its origin along world axes come first.
@@ -82,10 +82,10 @@ const ARTICULATED: &str =
 /// From the tips to the ground: inertias and loads, with each joint freed; and back.
 fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Accelerations {
     let bias = derive_bias(graph, labels, tree);
-    let mut inertia: Vec<Articulated> = Vec::new();
+    let mut inertia: Vec<SpatialInertia> = Vec::new();
     let mut lacking: Vec<SpatialVector> = Vec::new();
     for (link, (_, own)) in tree.links.iter().zip(&bias) {
-        inertia.push(Articulated::of(graph, &link.properties));
+        inertia.push(SpatialInertia::of(graph, link));
         lacking.push(*own);
     }
     let mut eliminated: Vec<Vec<Eliminated>> = Vec::new();

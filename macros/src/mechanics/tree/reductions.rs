@@ -7,7 +7,7 @@ use crate::symbolic::{Graph, Id};
 use super::link::Tree;
 use super::properties::Properties;
 use super::regrouping::{keep_axes, regroup};
-use super::spatial_vector::Along;
+use super::spatial::{Along, SpatialInertia};
 use super::turning::Turning;
 
 /// The most operations of all trees that are tried, added up. With a limit on operations, not on
@@ -204,6 +204,7 @@ fn borrow_axes(graph: &mut Graph, tree: &mut Tree, index: usize) {
     link.turning = Turning::Parallel;
     link.angle = None;
     link.properties = link.properties.turned(graph, turning);
+    link.added = link.added.turned(graph, turning);
     link.force = turning.to_carrier(graph, link.force);
     link.moment = turning.to_carrier(graph, link.moment);
     for link in &mut tree.links {
@@ -228,16 +229,19 @@ pub fn merge_welds(graph: &mut Graph, tree: &mut Tree) {
         let (place, turning) = (link.place, link.turning);
         let own = link.properties.turned(graph, turning);
         let own = own.seen_from(graph, place);
+        let added = link.added.seen_by_carrier(graph, &link);
         let force = turning.to_carrier(graph, link.force);
         let moment = turning.to_carrier(graph, link.moment);
         let lever = graph.cross(place, force);
         let moment = graph.add_vectors(moment, lever);
         let below = &mut tree.links[carrier];
         below.properties = below.properties.plus(graph, &own);
+        below.added = below.added.plus(graph, &added);
         below.force = graph.add_vectors(below.force, force);
         below.moment = graph.add_vectors(below.moment, moment);
         let link = &mut tree.links[index];
         link.properties = Properties::none(graph);
+        link.added = SpatialInertia::none(graph);
         (link.force, link.moment) = (zeros, zeros);
     }
 }
@@ -264,6 +268,7 @@ pub fn drop_frames(graph: &mut Graph, tree: &mut Tree) {
         for other in all {
             let link = &mut tree.links[other];
             link.properties = link.properties.turned(graph, turning);
+            link.added = link.added.turned(graph, turning);
             link.force = turning.to_carrier(graph, link.force);
             link.moment = turning.to_carrier(graph, link.moment);
             for freedom in &mut link.freedoms {
@@ -353,6 +358,7 @@ fn slide_origin(graph: &mut Graph, tree: &mut Tree, index: usize, distance: Id) 
     let link = &mut tree.links[index];
     link.place = graph.add_vectors(link.place, step);
     link.properties = link.properties.seen_from(graph, back);
+    link.added = link.added.seen_from(graph, back);
     let lever = graph.cross(back, link.force);
     link.moment = graph.add_vectors(link.moment, lever);
     for link in &mut tree.links {

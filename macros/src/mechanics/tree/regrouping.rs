@@ -5,7 +5,7 @@ use crate::symbolic::Graph;
 
 use super::link::{Freedom, Link, Tree};
 use super::properties::Properties;
-use super::spatial_vector::Along;
+use super::spatial::Along;
 use super::turning::Turning;
 
 impl Properties {
@@ -135,5 +135,5 @@ fn turns_unseen(graph: &Graph, tree: &Tree, index: usize) -> bool {
             .all(|(a, b)| graph.is_zero(rows[*a][*b]))
         && graph.is_along(first, axis);
     let is_loaded = !graph.is_zero_vector(&link.force) || !graph.is_zero_vector(&link.moment);
-    is_symmetric && !is_loaded && !carries
+    is_symmetric && !is_loaded && link.added.is_zero(graph) && !carries
 }

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::errors::Extent;
 use crate::families::{Family, LoadKind};
-use crate::model::kinematics::{Point, Vector};
+use crate::model::kinematics::{Point, Vector, Workspace};
 use crate::symbolic::{Components, Id};
 
 /// A given load: a force at a point, a moment, or both.
@@ -30,6 +30,12 @@ pub struct Load {
 }
 
 impl Load {
+    /// Whether it depends on an acceleration.
+    pub fn follows(&self, work: &Workspace) -> bool {
+        let parts = work.entries(&[self.force, self.moment]);
+        !work.accelerations_in(&parts).is_empty()
+    }
+
     /// A load that is only a force or only a moment.
     pub fn new(name: Ident, family: Family, kind: LoadKind, vector: Vector, point: Point) -> Self {
         let (force, moment) = match kind {

@@ -63,6 +63,15 @@ pub struct Member {
     pub loads: Vec<Load>,
     /// The fields that constitute gravity.
     pub weights: Vec<Load>,
+    /// The loads that depend on the acceleration of the body itself, as functions of it.
+    pub felt: Option<Felt>,
+}
+
+/// Loads of a body as functions of symbols for its own acceleration.
+pub struct Felt {
+    /// The angular acceleration and the acceleration of G, in body axes.
+    pub acceleration: [Components; 2],
+    pub loads: Vec<Load>,
 }
 
 impl Member {

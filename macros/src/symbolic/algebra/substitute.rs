@@ -1,6 +1,6 @@
 //! The replacement of symbols. If all of them are replaced by numbers, this is exact evaluation.
 
-use crate::symbolic::graph::{Comparison, Components, Graph, Id, Node};
+use crate::symbolic::graph::{Comparison, Graph, Id, Node};
 use crate::symbolic::number::{Foreign, Function, Number};
 
 use super::operations::{self, Algebra};
@@ -55,13 +55,17 @@ impl Graph {
 /// Expressions made of other expressions.
 impl Graph {
     /// A vector with symbols replaced by values.
-    pub fn replaced(&mut self, components: Components, values: &[(Id, Id)]) -> Components {
+    pub fn replaced<const N: usize>(
+        &mut self,
+        components: [Id; N],
+        values: &[(Id, Id)],
+    ) -> [Id; N] {
         let value = |id: Id| {
             let known = values.iter().find(|(symbol, _)| *symbol == id);
             known.map(|(_, value)| *value)
         };
         let images = self.substitute(&components, value);
-        [images[0], images[1], images[2]]
+        core::array::from_fn(|place| images[place])
     }
 }
 

@@ -19,7 +19,7 @@ impl Graph {
     /// early are checked in the constructor of the body, and in those that are nonnegative by their
     /// form, a zero shows when it is divided by, because the quotient is not finite.
     pub fn positive(&mut self, a: Id) -> Id {
-        if self.is_undefined(a) || self.is_early(a) || self.sign(a) != Sign::Unknown {
+        if self.is_undefined(a) || self.is_early(a) || self.sign(a, &[]) != Sign::Unknown {
             return a;
         }
         self.intern(Node::Positive(a))
@@ -45,16 +45,22 @@ impl Graph {
         }
     }
 
-    /// Whether the expression is nonnegative by its form but may be zero, as a sum of squares is.
-    pub fn may_touch_zero(&self, a: Id) -> bool {
-        self.sign(a) == Sign::NotNegative
+    /// Whether the expression is nonnegative by its form, if these others are positive.
+    pub fn is_never_negative(&self, a: Id, positive: &[Id]) -> bool {
+        self.sign(a, positive) != Sign::Unknown
     }
 
-    fn sign(&self, a: Id) -> Sign {
+    /// Whether the expression is nonnegative by its form but may be zero, as a sum of squares is.
+    pub fn may_touch_zero(&self, a: Id) -> bool {
+        self.sign(a, &[]) == Sign::NotNegative
+    }
+
+    fn sign(&self, a: Id, positive: &[Id]) -> Sign {
         let mut signs: HashMap<Id, Sign> = HashMap::new();
         for id in self.reachable(&[a], |id| !matches!(self.node(id), Node::Positive(_))) {
             let known = |operand: &Id| signs.get(operand).copied().unwrap_or(Sign::Unknown);
             let sign = match self.node(id) {
+                _ if positive.contains(&id) => Sign::Positive,
                 Node::Positive(_) | Node::Unary(Function::Exp, _) => Sign::Positive,
                 Node::Number(number) if number.is_positive() => Sign::Positive,
                 Node::Number(number) if number.is_zero() => Sign::NotNegative,

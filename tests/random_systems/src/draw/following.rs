@@ -6,11 +6,12 @@ use crate::law::space::{Vec3, dot, scale};
 use crate::wide::Wide;
 
 impl Drawing {
-    /// Mass at a point, alike in all directions or not, or inertia against turning.
+    /// Mass at a point, alike in all directions or along one of the body or the world, or inertia
+    /// against turning.
     pub fn added_to(&mut self, body: usize) {
         let k = self.numbers.positive(1.0);
         let (point, place) = self.point_of(body);
-        let (which, axis) = (self.numbers.rng.usize(0..3), self.numbers.rng.usize(0..2));
+        let (which, axis) = (self.numbers.rng.usize(0..4), self.numbers.rng.usize(0..2));
         if !self.is_kept() {
             return;
         }
@@ -22,8 +23,9 @@ impl Drawing {
         self.following += 1;
         let k_word = literal(k);
         let parts = if axis == 0 { ["1", "0"] } else { ["0", "1"] };
+        let frame = if which == 3 { "world" } else { "body" };
         let along = format!(
-            "body({}{})",
+            "{frame}({}{})",
             parts.join(", "),
             if self.is_planar { "" } else { ", 0" }
         );
@@ -32,7 +34,7 @@ impl Drawing {
             0 => keys
                 .forces
                 .push(format!("added = (-{k_word}[kg] * {follows}){at}")),
-            1 => keys.forces.push(format!(
+            1 | 3 => keys.forces.push(format!(
                 "added = (-{k_word}[kg] * {along} * {follows}.dot({along})){at}"
             )),
             _ => keys.moments.push(format!(
@@ -51,10 +53,11 @@ impl Drawing {
                         continue;
                     }
                     let mut force = against(linear);
-                    if which == 1 {
+                    if which != 0 {
                         let mut unit = [Wide::ZERO; 3];
                         unit[axis] = Wide::ONE;
-                        let along = scene.turned(Some(*body), unit);
+                        let in_body = Some(*body).filter(|_| which == 1);
+                        let along = scene.turned(in_body, unit);
                         force = scale(along, dot(force, along));
                     }
                     loads.force(scene, *body, place, force);

@@ -274,6 +274,7 @@ impl<'a> Reader<'a> {
             inertia: inertia?,
             loads: loads?,
             weights: Vec::new(),
+            felt: None,
         })
     }
 }

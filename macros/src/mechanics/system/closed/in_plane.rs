@@ -15,7 +15,7 @@ use super::known::{Keeper, Known};
 /// depend on those of constraints.
 pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     let tree = &known.built.tree;
-    if known.is_followed(work) {
+    if known.is_followed(work, tree) {
         return None;
     }
     let absolute = Absolute::of(&mut work.graph, tree, &known.placed);

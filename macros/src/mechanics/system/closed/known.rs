@@ -1,7 +1,7 @@
 //! A system that is held by more than the joints of its tree: the places of its links, and its
 //! rows.
 
-use crate::mechanics::following::unknowns_in;
+use crate::mechanics::following::{Added, unknowns_in};
 use crate::mechanics::tree::Built;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::variation::Direction;
@@ -24,7 +24,8 @@ pub enum Keeper {
 /// A system, and its rows.
 pub struct Known<'a> {
     pub built: &'a Built,
-    /// Its tree. The accelerations of free links are along world axes.
+    /// Its tree, with the inertia that loads add. The accelerations of free links are along world
+    /// axes.
     pub in_world: Tree,
     pub placed: Vec<Placed>,
     /// The ends of the joints that close loops.
@@ -40,10 +41,13 @@ impl<'a> Known<'a> {
     pub fn of(
         system: &'a System,
         work: &mut Workspace,
-        built: &'a Built,
+        (built, added): (&'a Built, Option<&Added>),
         motion: &Direction,
     ) -> Self {
-        let in_world = moved_in_world(work, &built.tree);
+        let mut in_world = moved_in_world(work, &built.tree);
+        if let Some(added) = added {
+            in_world = added.put_into(&mut work.graph, &in_world);
+        }
         let free = free_links(system, work, built);
         let placed = place_links((&mut work.graph, &mut work.labels), &built.tree, |link| {
             free[link]
@@ -72,9 +76,9 @@ impl<'a> Known<'a> {
         }
     }
 
-    /// Whether rows are trivial somewhere, or loads depend on the loads of constraints.
-    pub fn is_followed(&self, work: &Workspace) -> bool {
-        let links = self.built.tree.links.iter();
+    /// Whether rows are trivial somewhere, or loads on this tree depend on unknowns.
+    pub fn is_followed(&self, work: &Workspace, tree: &Tree) -> bool {
+        let links = tree.links.iter();
         let given = links.flat_map(|link| {
             let drives = link.freedoms.iter().map(|freedom| freedom.drive);
             drives.chain(link.force).chain(link.moment)

@@ -2,13 +2,14 @@
 
 use std::collections::BTreeSet;
 
+use crate::mechanics::following::Added;
 use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree::{Built, MassMatrix};
 use crate::mechanics::variation::Direction;
 use crate::model::{System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Graph, Id};
 
-use super::super::constraints::{ConstraintRow, Ends, Placed, push_written, replace_in_tree};
+use super::super::constraints::{ConstraintRow, Ends, Placed, push_written};
 use super::assembly::{Assembly, Coordinates};
 use super::dependent::{dependent, groups};
 use super::eliminated::{Following, Found, eliminated};
@@ -28,11 +29,6 @@ pub struct Closed {
     pub wrenches: Vec<[Components; 2]>,
     /// The load of each written constraint, per unit of its gradient.
     pub loads: Vec<Id>,
-    /// The symbols that loads may depend on, with their solutions: first those of the loads of
-    /// written constraints, then those of accelerations.
-    pub settled: Vec<(Id, Id)>,
-    /// The tree with these loads on its links.
-    pub loaded: Tree,
     pub unsettled: Unsettled,
 }
 
@@ -44,14 +40,15 @@ impl Closed {
 }
 
 /// Solves for the accelerations of the open freedoms, link by link, and for the loads of all
-/// constraints.
+/// constraints, which are put on the links of `loaded`.
 pub fn close(
     system: &System,
     work: &mut Workspace,
-    built: &Built,
+    (built, added): (&Built, Option<&Added>),
     (motion, coordinates): (&Direction, &Coordinates),
+    loaded: &mut Tree,
 ) -> (Vec<Vec<Id>>, Closed) {
-    let known = Known::of(system, work, built, motion);
+    let known = Known::of(system, work, (built, added), motion);
     let matrix = MassMatrix::derive(&mut work.graph, &mut work.labels, &known.in_world);
     let open = system.joints.iter().filter(|joint| !joint.is_driven());
     let symbols: Vec<Id> = open.flat_map(TreeJoint::accelerations).collect();
@@ -63,16 +60,10 @@ pub fn close(
         work.labels.name(*load, name);
     }
     let unsettled = unsettled(system, work, &known, (&found, spare));
-    let loads_of_symbols = system.constraints.loads.iter().zip(&loads);
-    let moved = symbols.iter().zip(&found.accelerations);
-    let settled = loads_of_symbols.chain(moved);
-    let settled: Vec<(Id, Id)> = settled.map(|(symbol, value)| (*symbol, *value)).collect();
-    let mut loaded = built.tree.clone();
     for (ends, wrench) in known.ends.iter().zip(&wrenches) {
-        push(&mut work.graph, &mut loaded, &known.placed, ends, *wrench);
+        push(&mut work.graph, loaded, &known.placed, ends, *wrench);
     }
-    push_written(system, work, built, &mut loaded, &loads);
-    replace_in_tree(&mut work.graph, &mut loaded, &settled);
+    push_written(system, work, built, loaded, &loads);
     let freedoms = 0..matrix.driving.len();
     let closed = Closed {
         kept: known.kept,
@@ -80,8 +71,6 @@ pub fn close(
         inertias: freedoms.map(|one| matrix.rows[one][one]).collect(),
         wrenches,
         loads,
-        settled,
-        loaded,
         unsettled,
     };
     (built.tree.by_link(found.accelerations), closed)
@@ -160,7 +149,7 @@ fn where_closed(
     (known, coordinates): (&Known<'_>, &Coordinates),
     matrix: &MassMatrix,
 ) -> Option<Found> {
-    if known.is_followed(work) {
+    if known.is_followed(work, &known.in_world) {
         return None;
     }
     let open = known.built.tree.links.iter().flat_map(Link::open);

@@ -3,7 +3,6 @@
 
 use crate::errors::Errors;
 use crate::mechanics::following::{LOAD, check_linear, check_parts, unknowns_in};
-use crate::mechanics::tree::link::Tree;
 use crate::model::{System, Workspace};
 use crate::symbolic::{Graph, Id};
 
@@ -50,21 +49,7 @@ pub fn split(graph: &mut Graph, roots: &[Id], symbols: &[Id]) -> (Vec<Id>, Vec<V
     (without, slopes)
 }
 
-/// Replaces the symbols of the loads of constraints by these loads.
-pub fn replace_in_tree(graph: &mut Graph, tree: &mut Tree, values: &[(Id, Id)]) {
-    if values.is_empty() {
-        return;
-    }
-    for link in &mut tree.links {
-        link.force = graph.replaced(link.force, values);
-        link.moment = graph.replaced(link.moment, values);
-        for freedom in &mut link.freedoms {
-            freedom.drive = replace(graph, &[freedom.drive], values)[0];
-        }
-    }
-}
-
-/// The same for expressions.
+/// Replaces symbols by their values.
 pub fn replace(graph: &mut Graph, roots: &[Id], values: &[(Id, Id)]) -> Vec<Id> {
     graph.substitute(roots, |id| {
         let known = values.iter().find(|(symbol, _)| *symbol == id);

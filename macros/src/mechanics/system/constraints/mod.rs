@@ -7,7 +7,7 @@ mod row;
 mod world;
 mod written;
 
-pub use followers::{check_followers, replace, replace_in_tree, split};
+pub use followers::{check_followers, replace, split};
 pub use joints::{Ends, rows as rows_of_joint};
 pub use row::ConstraintRow;
 pub use world::{Placed, place_links};

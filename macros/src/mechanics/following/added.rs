@@ -1,0 +1,330 @@
+//! Inertia that loads add to a system: loads that resist the acceleration of their body, as those of
+//! the water around it, and drives that resist the acceleration of their joint.
+//!
+//! ```text
+//! W(a) = W(0) - C a,    C constant, C >= 0:    M q'' = f(q'')  ->  (M + sum of J^T C J) q'' = f(0)
+//! ```
+//!
+//! So the matrix that is solved with is positive, like M by itself.
+
+use crate::mechanics::proofs::all_vanish;
+use crate::mechanics::tree::link::{Freedom, Link, Tree};
+use crate::mechanics::tree::{Built, LinkMotion, SpatialInertia, SpatialVector, motions, wrench};
+use crate::model::{Felt, Load, Member, System, TreeJoint, Workspace};
+use crate::symbolic::{Components, Graph, Id, Number};
+
+/// The inertia that all loads together add.
+#[derive(Default)]
+pub struct Added {
+    /// For each link on which such loads act.
+    links: Vec<Option<AddedToLink>>,
+    /// For each open freedom, link by link.
+    armatures: Vec<Vec<Id>>,
+    /// The symbols of the accelerations of open freedoms, link by link.
+    symbols: Vec<Vec<Id>>,
+}
+
+/// The inertia that the loads on a link add, in its axes.
+struct AddedToLink {
+    about_center: SpatialInertia,
+    /// From the origin of the link to G.
+    center: Components,
+    /// The loads of a link that does not accelerate, about G.
+    rest: SpatialVector,
+}
+
+impl Added {
+    /// `None` if loads depend on accelerations in any other way.
+    pub fn of(system: &System, work: &mut Workspace, built: &Built) -> Option<Self> {
+        if !follows(system, work) {
+            return Some(Self::default());
+        }
+        let open = system.joints.iter().filter(|joint| !joint.is_driven());
+        let symbols = open.flat_map(TreeJoint::accelerations);
+        let symbols: Vec<Vec<Id>> = built.tree.by_link(symbols);
+        let masses: Vec<Id> = system.bodies.iter().map(|body| body.mass).collect();
+        let mut links: Vec<Option<AddedToLink>> = Vec::new();
+        links.resize_with(built.tree.links.len(), || None);
+        for (number, (body, joint)) in system.bodies.iter().zip(&system.joints).enumerate() {
+            if let Some(felt) = &body.felt {
+                let added = AddedToLink::of(work, (body, felt), joint.pin, &masses)?;
+                links[built.body(number)] = Some(added);
+            }
+        }
+        let mut armatures = Vec::new();
+        for (link, symbols) in built.tree.links.iter().zip(&symbols) {
+            let freedoms = link.open().zip(symbols);
+            let own = freedoms.map(|(freedom, symbol)| {
+                let armature = armature(&mut work.graph, freedom, *symbol, &masses)?;
+                // the coordinates of a free link are along world axes
+                (!link.is_free || work.graph.is_zero(armature)).then_some(armature)
+            });
+            armatures.push(own.collect::<Option<Vec<Id>>>()?);
+        }
+        let added = Self {
+            links,
+            armatures,
+            symbols,
+        };
+        added.is_all(work, &built.tree).then_some(added)
+    }
+
+    /// Whether no load depends on an acceleration.
+    pub fn is_nothing(&self) -> bool {
+        self.links.is_empty()
+    }
+
+    /// Whether this inertia gives all loads of a tree.
+    fn is_all(&self, work: &mut Workspace, tree: &Tree) -> bool {
+        let given = self.by_symbols(&mut work.graph, tree);
+        let mut left = Vec::new();
+        for (link, given) in tree.links.iter().zip(&given.links) {
+            let load = link.load().minus(&mut work.graph, given.load());
+            left.extend(load.angular.into_iter().chain(load.linear));
+            let drives = link.open().zip(given.open());
+            left.extend(drives.map(|(own, given)| work.graph.subtract(own.drive, given.drive)));
+        }
+        all_vanish(work, &left)
+    }
+
+    /// The tree with loads written by this inertia, as functions of the symbols of the
+    /// accelerations.
+    pub fn by_symbols(&self, graph: &mut Graph, tree: &Tree) -> Tree {
+        if self.is_nothing() {
+            return tree.clone();
+        }
+        let mut given = self.resist(graph, tree, &self.symbols);
+        for (link, (symbols, armatures)) in self.open(&mut given) {
+            let open = link.freedoms.iter_mut().filter(|one| one.given.is_none());
+            for ((freedom, symbol), armature) in open.zip(symbols).zip(armatures) {
+                let taken = graph.multiply(*armature, *symbol);
+                freedom.drive = graph.subtract(freedom.drive, taken);
+            }
+        }
+        given
+    }
+
+    /// The tree with this inertia, and with the loads of its motion without accelerations of its
+    /// joints.
+    pub fn put_into(&self, graph: &mut Graph, tree: &Tree) -> Tree {
+        if self.is_nothing() {
+            return tree.clone();
+        }
+        let links = tree.links.iter().map(|link| {
+            // a free link falls, and what it carries falls with it
+            let freedoms = link.open().map(|freedom| {
+                if link.is_free {
+                    graph.dot(freedom.twist.linear, tree.gravity)
+                } else {
+                    graph.zero()
+                }
+            });
+            freedoms.collect()
+        });
+        let still: Vec<Vec<Id>> = links.collect();
+        let mut resisting = self.resist(graph, tree, &still);
+        for (link, added) in resisting.links.iter_mut().zip(&self.links) {
+            if let Some(added) = added {
+                let own = added.about_center.seen_from(graph, added.center);
+                link.added = link.added.plus(graph, &own);
+            }
+        }
+        for (link, (_, armatures)) in self.open(&mut resisting) {
+            let open = link.freedoms.iter_mut().filter(|one| one.given.is_none());
+            for (freedom, armature) in open.zip(armatures) {
+                freedom.armature = graph.add(freedom.armature, *armature);
+            }
+        }
+        resisting
+    }
+
+    /// The links of a tree, each with the symbols and the armatures of its open freedoms.
+    fn open<'a>(
+        &'a self,
+        tree: &'a mut Tree,
+    ) -> impl Iterator<Item = (&'a mut Link, (&'a Vec<Id>, &'a Vec<Id>))> {
+        let freedoms = self.symbols.iter().zip(&self.armatures);
+        tree.links.iter_mut().zip(freedoms)
+    }
+
+    /// The tree with the loads on its links at these accelerations of the coordinates, and with the
+    /// drives at zero accelerations.
+    fn resist(&self, graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Tree {
+        let zero = graph.zero();
+        let symbols = self.symbols.concat().into_iter();
+        let still: Vec<(Id, Id)> = symbols.map(|symbol| (symbol, zero)).collect();
+        let mut resisting = tree.clone();
+        resisting.replace(graph, &still);
+        // absolute accelerations, not those relative to free fall
+        let weightless = Tree {
+            gravity: graph.zeros(),
+            ..tree.clone()
+        };
+        let motions = motions(graph, &weightless, accelerations);
+        for (number, link) in resisting.links.iter_mut().enumerate() {
+            if let Some(added) = &self.links[number] {
+                let load = added.load(graph, &motions[number]).quantities(graph);
+                (link.moment, link.force) = (load.angular, load.linear);
+            }
+        }
+        resisting
+    }
+}
+
+impl AddedToLink {
+    fn of(
+        work: &mut Workspace,
+        (body, felt): (&Member, &Felt),
+        pin: Components,
+        masses: &[Id],
+    ) -> Option<Self> {
+        let known = body.loads.iter().filter(|load| !load.follows(work));
+        let all: Vec<&Load> = known.chain(&felt.loads).collect();
+        let columns = columns(work, body, felt, &all);
+        let mut each = felt.loads.iter();
+        if !is_semidefinite(&mut work.graph, &columns, masses)
+            && !each.all(|load| {
+                let own = self::columns(work, body, felt, &[load]);
+                is_semidefinite(&mut work.graph, &own, masses)
+            })
+        {
+            return None;
+        }
+        let block = |row: usize, column: usize| {
+            [0, 1, 2].map(|i| [0, 1, 2].map(|j| columns[3 * column + j][3 * row + i]))
+        };
+        let [force, moment] = about_center(work, body, &all);
+        let symbols = work.accelerations_in(&[force, moment].concat()).into_iter();
+        let symbols = symbols.chain(felt.acceleration.concat());
+        let graph = &mut work.graph;
+        let zero = graph.zero();
+        let still: Vec<(Id, Id)> = symbols.map(|symbol| (symbol, zero)).collect();
+        Some(Self {
+            about_center: SpatialInertia {
+                angular: block(0, 0),
+                mixed: block(0, 1),
+                linear: block(1, 1),
+            },
+            center: graph.negate_vector(pin),
+            rest: SpatialVector {
+                angular: graph.replaced(moment, &still),
+                linear: graph.replaced(force, &still),
+            },
+        })
+    }
+
+    /// The loads on the link about its origin, in this motion.
+    fn load(&self, graph: &mut Graph, motion: &LinkMotion) -> SpatialVector {
+        let swept = graph.transform(&motion.sweep, self.center);
+        let linear = graph.add_vectors(motion.acceleration.linear, swept);
+        let acceleration = SpatialVector {
+            linear: graph.quantities(linear),
+            ..motion.acceleration
+        };
+        let taken = self.about_center.times(graph, &acceleration);
+        let load = self.rest.minus(graph, taken);
+        let lever = graph.cross(self.center, load.linear);
+        SpatialVector {
+            angular: graph.add_vectors(load.angular, lever),
+            ..load
+        }
+    }
+}
+
+/// Whether any load or drive depends on an acceleration.
+fn follows(system: &System, work: &Workspace) -> bool {
+    let mut loads = system.bodies.iter().flat_map(|body| &body.loads);
+    let drives = system.joints.iter().flat_map(|joint| &joint.drives);
+    let drives: Vec<Id> = drives.copied().collect();
+    loads.any(|load| load.follows(work)) || !work.accelerations_in(&drives).is_empty()
+}
+
+/// The force and the moment of loads on a body, about G.
+fn about_center(work: &mut Workspace, body: &Member, loads: &[&Load]) -> [Components; 2] {
+    let center = work.graph.zeros();
+    wrench(work, body, loads.iter().copied(), center).into()
+}
+
+/// The inertia that loads on a body add, column by column: minus the moment and the force by each
+/// component of the angular and the linear acceleration.
+fn columns(work: &mut Workspace, body: &Member, felt: &Felt, loads: &[&Load]) -> Vec<Vec<Id>> {
+    let [force, moment] = about_center(work, body, loads);
+    let graph = &mut work.graph;
+    let (parts, one) = ([moment, force].concat(), graph.one());
+    let symbols = felt.acceleration.concat().into_iter();
+    // in the plane, some components are zero
+    let columns = symbols.map(|symbol| {
+        let is_there = !graph.is_zero(symbol);
+        let slopes = graph.change(&parts, |id| (is_there && id == symbol).then_some(one));
+        slopes
+            .into_iter()
+            .map(|slope| graph.negate(slope))
+            .collect()
+    });
+    columns.collect()
+}
+
+/// The inertia along a coordinate that its drive adds.
+fn armature(graph: &mut Graph, freedom: &Freedom, symbol: Id, masses: &[Id]) -> Option<Id> {
+    let [slope] = graph.derivative(&[freedom.drive], symbol)[..] else {
+        return None;
+    };
+    let added = graph.negate(slope);
+    is_known_sign(graph, added, masses).then_some(added)
+}
+
+/// Whether a constant symmetric matrix is proved to have no negative eigenvalue: it is a number of
+/// constant sign, times a matrix of numbers. Entries with nothing beside them are signs of their own.
+fn is_semidefinite(graph: &mut Graph, columns: &[Vec<Id>], masses: &[Id]) -> bool {
+    let count = columns.len();
+    let is_symmetric = (0..count).all(|i| (0..i).all(|j| columns[i][j] == columns[j][i]));
+    let is_coupled = |own: usize| (0..count).any(|j| j != own && !graph.is_zero(columns[j][own]));
+    let (coupled, apart): (Vec<usize>, Vec<usize>) = (0..count).partition(|own| is_coupled(*own));
+    let mut diagonal = coupled.iter().map(|own| columns[*own][*own]);
+    let factor = diagonal.find(|entry| !graph.is_zero(*entry));
+    let mut signs = apart.iter().map(|own| columns[*own][*own]).chain(factor);
+    if !is_symmetric || !signs.all(|entry| is_known_sign(graph, entry, masses)) {
+        return false;
+    }
+    let Some(factor) = factor else {
+        return coupled.is_empty();
+    };
+    let mut rows = Vec::new();
+    for row in &coupled {
+        let ratios = coupled.iter().map(|column| {
+            let ratio = graph.divide(columns[*column][*row], factor);
+            graph.as_number(ratio).cloned()
+        });
+        match ratios.collect::<Option<Vec<Number>>>() {
+            Some(row) => rows.push(row),
+            None => return false,
+        }
+    }
+    is_semidefinite_in_numbers(rows)
+}
+
+fn is_known_sign(graph: &Graph, entry: Id, masses: &[Id]) -> bool {
+    graph.is_early(entry) && graph.is_never_negative(entry, masses)
+}
+
+/// The same for a symmetric matrix of numbers, by elimination of its last row.
+fn is_semidefinite_in_numbers(mut rows: Vec<Vec<Number>>) -> bool {
+    while let Some(own) = rows.pop() {
+        let Some((pivot, beside)) = own.split_last() else {
+            return true;
+        };
+        let is_alone = beside.iter().all(Number::is_zero);
+        if pivot.is_negative() || pivot.is_zero() && !is_alone {
+            return false;
+        }
+        for (row, factor) in rows.iter_mut().zip(beside) {
+            row.pop();
+            for (entry, other) in row.iter_mut().zip(beside) {
+                if let Some(share) = (factor.clone() * other.clone()).checked_div(pivot) {
+                    *entry = entry.clone() - share;
+                }
+            }
+        }
+    }
+    true
+}

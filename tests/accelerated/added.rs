@@ -1,0 +1,285 @@
+//! Loads that resist accelerations in systems: where they are proved to add an inertia that is not
+//! negative, the equations are solved with it; all others must give the same.
+
+use newton_euler::operations::Operations;
+use newton_euler::prelude::*;
+
+use crate::Random;
+
+/// The operations of a function in a state.
+fn cost(operations: &[Operations], function: &str) -> u32 {
+    let rows = operations.iter().filter(|row| row.function == function);
+    rows.map(|row| row.mul + row.add + row.div + row.sqrt).sum()
+}
+
+/// A diver with an arm, of which each body is in water.
+macro_rules! diver {
+    ($name:ident [$($params:tt)*] $hull:expr, $across:expr, $lower:expr, $hand:expr) => {
+        rigid_system!($name {
+            params: [$($params)*],
+            inputs: [first[N * m], second[N * m], third[N * m]],
+            bodies: [
+                hull {
+                    mass: 12[kg],
+                    inertia: principal(0.8, 1.1, 1.7)[kg * m ^ 2],
+                    points: [shoulder = (0.3, 0, -0.1), fin = (-0.4, 0.1, 0)],
+                    forces: [
+                        added = -$hull * acceleration,
+                        flat = (-$across * body(0, 1, 0) * fin.acceleration().dot(body(0, 1, 0))).at(fin),
+                    ],
+                },
+                upper {
+                    mass: 2[kg],
+                    inertia: principal(0.02, 0.05, 0.05)[kg * m ^ 2],
+                    points: [a = (-0.2, 0, 0), b = (0.2, 0, 0)],
+                },
+                lower {
+                    mass: 1[kg],
+                    inertia: principal(0.01, 0.02, 0.02)[kg * m ^ 2],
+                    points: [a = (-0.2, 0, 0), b = (0.2, 0, 0)],
+                    forces: [added = -$lower * acceleration],
+                },
+                hand {
+                    mass: 0.5[kg],
+                    inertia: principal(0.001, 0.002, 0.002)[kg * m ^ 2],
+                    points: [a = (-0.1, 0, 0)],
+                    forces: [added = -$lower * acceleration],
+                    moments: [turned = -$hand * angular_acceleration],
+                },
+            ],
+            joints: [
+                swim = free(hull),
+                first_joint = revolute(hull.shoulder, upper.a, body(0, 0, 1)),
+                second_joint = revolute(upper.b, lower.a, body(0, 1, 0)),
+                third_joint = revolute(lower.b, hand.a, body(1, 0, 0)),
+            ],
+            fields: [weight = mass * world(0, 0, -9.81[m / s ^ 2])],
+            drives: [
+                a = first.on(first_joint),
+                b = second.on(second_joint),
+                c = third.on(third_joint),
+            ],
+            outputs: [linearization],
+        });
+    };
+}
+diver!(Diver [] 3[kg], 1.5[kg], 0.75[kg], 0.0015[kg * m ^ 2]);
+// of a parameter, the sign is not known
+diver!(Unknown [of_hull[kg], of_across[kg], of_lower[kg], of_hand[kg * m ^ 2]]
+    of_hull, of_across, of_lower, of_hand);
+// an absolute value has a sign
+diver!(Known [of_hull[kg], of_across[kg], of_lower[kg], of_hand[kg * m ^ 2]]
+    of_hull.abs(), of_across.abs(), of_lower.abs(), of_hand.abs());
+diver!(Dry [] 0[kg], 0[kg], 0[kg], 0[kg * m ^ 2]);
+
+/// The same state of four types.
+macro_rules! in_state {
+    ($drawn:ident, $state:ident) => {
+        $state {
+            swim: $drawn.swim,
+            first_joint: $drawn.first_joint,
+            second_joint: $drawn.second_joint,
+            third_joint: $drawn.third_joint,
+        }
+    };
+}
+
+fn drawn(random: &mut Random) -> DiverState {
+    let mut hinge = || Hinge {
+        angle: 3.0 * random.next(),
+        angular_velocity: random.next(),
+    };
+    let [first_joint, second_joint, third_joint] = [hinge(), hinge(), hinge()];
+    DiverState {
+        swim: random.spatial(),
+        first_joint,
+        second_joint,
+        third_joint,
+    }
+}
+
+#[test]
+fn what_is_solved_with_added_inertia_is_right() {
+    let mut random = Random(31);
+    let diver = Diver::default();
+    let unknown = Unknown::new(UnknownParams {
+        of_hull: 3.0,
+        of_across: 1.5,
+        of_lower: 0.75,
+        of_hand: 0.0015,
+    })
+    .unwrap();
+    let known = Known::new(KnownParams {
+        of_hull: 3.0,
+        of_across: -1.5,
+        of_lower: 0.75,
+        of_hand: 0.0015,
+    })
+    .unwrap();
+    for _ in 0..20 {
+        let state = drawn(&mut random);
+        let [first, second, third] = [random.next(), random.next(), random.next()];
+        let input = DiverInput {
+            first,
+            second,
+            third,
+        };
+        let found = diver.acceleration(0.0, &state, &input);
+        let expected = unknown.acceleration(
+            0.0,
+            &in_state!(state, UnknownState),
+            &UnknownInput {
+                first,
+                second,
+                third,
+            },
+        );
+        let by_value = known.acceleration(
+            0.0,
+            &in_state!(state, KnownState),
+            &KnownInput {
+                first,
+                second,
+                third,
+            },
+        );
+        let size = found.first_joint.abs() + found.second_joint.abs() + found.third_joint.abs();
+        for (one, other) in [
+            (
+                expected.swim,
+                [
+                    expected.first_joint,
+                    expected.second_joint,
+                    expected.third_joint,
+                ],
+            ),
+            (
+                by_value.swim,
+                [
+                    by_value.first_joint,
+                    by_value.second_joint,
+                    by_value.third_joint,
+                ],
+            ),
+        ] {
+            assert!((found.swim.linear - one.linear).amax() < 1e-12 * (10.0 + size));
+            assert!((found.swim.angular - one.angular).amax() < 1e-12 * (10.0 + size));
+            let found = [found.first_joint, found.second_joint, found.third_joint];
+            for (found, other) in found.iter().zip(other) {
+                assert!(
+                    (found - other).abs() < 1e-12 * (10.0 + size),
+                    "{found} {other}"
+                );
+            }
+        }
+        let found = diver.linearize(0.0, &state, &input);
+        let input = UnknownInput {
+            first,
+            second,
+            third,
+        };
+        let expected = unknown.linearize(0.0, &in_state!(state, UnknownState), &input);
+        let size = 1.0 + expected.a().amax();
+        assert!((found.a() - expected.a()).amax() < 1e-11 * size);
+        assert!((found.b() - expected.b()).amax() < 1e-11 * size);
+    }
+}
+
+/// The equations of the dry diver take as many operations, with a quarter to a half more.
+#[test]
+fn added_inertia_costs_little() {
+    let costs = [Dry::OPERATIONS, Diver::OPERATIONS, Known::OPERATIONS]
+        .map(|of| ["acceleration", "linearize"].map(|function| cost(of, function)));
+    let bounds = [[511, 3595], [647, 5241], [759, 5423]];
+    for (costs, bounds) in costs.into_iter().zip(bounds) {
+        assert!(costs[0] <= bounds[0] && costs[1] <= bounds[1], "{costs:?}");
+    }
+}
+
+/// A pendulum of 2 kg, at 0.5 m, whose moment of inertia about G is 0.1 kg m^2.
+macro_rules! pendulum {
+    ($name:ident [$($force:tt)*] [$($drive:tt)*]) => {
+        rigid_system!($name {
+            motion: planar,
+            bodies: [arm {
+                mass: 2[kg],
+                inertia: 0.1[kg * m ^ 2],
+                points: [top = (0, 0.5)],
+                forces: [water = $($force)*],
+            }],
+            joints: [hinge = revolute(world(0, 0), arm.top)],
+            fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+            drives: [rotor = ($($drive)*).on(hinge)],
+        });
+    };
+}
+pendulum!(AlongWorld[-0.5[kg] * world(1, 0) * acceleration.dot(world(1, 0))][0[N * m]]);
+pendulum!(Pushed[0.4[kg] * acceleration][0[N * m]]);
+pendulum!(
+    Skew[-body(
+        0.5[kg] * acceleration.in_body().x + 0.3[kg] * acceleration.in_body().y,
+        0.5[kg] * acceleration.in_body().y - 0.3[kg] * acceleration.in_body().x
+    )][0[N * m]]
+);
+pendulum!(Helped[-0.5[kg] * acceleration][0.01[kg * m ^ 2] * hinge.angular_acceleration]);
+// more is added than is taken away
+pendulum!(
+    Both[-0.5[kg] * acceleration + 0.2[kg] * acceleration]
+        [-0.01[kg * m ^ 2] * hinge.angular_acceleration]
+);
+
+#[test]
+fn loads_that_are_no_inertia_are_right_too() {
+    let mut random = Random(32);
+    for _ in 0..20 {
+        let (angle, w) = (3.0 * random.next(), random.next());
+        let (sine, cosine) = angle.sin_cos();
+        let (radius, weight) = (0.5, -2.0 * 9.81 * 0.5 * sine);
+        let inertia = 0.1 + 2.0 * radius * radius;
+        let hinge = Hinge {
+            angle,
+            angular_velocity: w,
+        };
+        let swung = radius * radius * w * w;
+        let along_world =
+            (weight + 0.5 * cosine * sine * swung) / (inertia + 0.5 * (radius * cosine).powi(2));
+        let all = [
+            (
+                AlongWorld::default()
+                    .acceleration(0.0, &AlongWorldState { hinge }, &())
+                    .hinge,
+                along_world,
+            ),
+            (
+                Pushed::default()
+                    .acceleration(0.0, &PushedState { hinge }, &())
+                    .hinge,
+                weight / (inertia - 0.4 * radius * radius),
+            ),
+            (
+                Skew::default()
+                    .acceleration(0.0, &SkewState { hinge }, &())
+                    .hinge,
+                (weight - 0.3 * swung) / (inertia + 0.5 * radius * radius),
+            ),
+            (
+                Helped::default()
+                    .acceleration(0.0, &HelpedState { hinge }, &())
+                    .hinge,
+                weight / (inertia + 0.5 * radius * radius - 0.01),
+            ),
+            (
+                Both::default()
+                    .acceleration(0.0, &BothState { hinge }, &())
+                    .hinge,
+                weight / (inertia + 0.3 * radius * radius + 0.01),
+            ),
+        ];
+        for (number, (found, expected)) in all.into_iter().enumerate() {
+            assert!(
+                (found - expected).abs() < 1e-13 * (1.0 + expected.abs()),
+                "{number}"
+            );
+        }
+    }
+}

@@ -321,3 +321,62 @@ fn a_shaken_pendulum_stands() {
     let load: ShakenReactions = calm.reactions(0.0, &still, &());
     close("load", &[load.shaker_drive], &[1.2 * 9.81], 10.0, 1e-14);
 }
+
+/// A pendulum on an arm that moves so.
+macro_rules! started {
+    ($name:ident $motion:expr) => {
+        rigid_system!($name {
+            motion: planar,
+            params: [start[s], slower[s]],
+            bodies: [
+                arm {
+                    mass: 1[kg],
+                    inertia: 0.1[kg * m ^ 2],
+                    points: [a = (-0.5, 0), b = (0.5, 0)]
+                },
+                bob {
+                    mass: 1[kg],
+                    inertia: 0.1[kg * m ^ 2],
+                    points: [top = (0, 0.4)]
+                },
+            ],
+            joints: [
+                turn = revolute(world(0, 0), arm.a).driven($motion),
+                swing = revolute(arm.b, bob.top),
+            ],
+            fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+        });
+    };
+}
+// it speeds up and slows down, at times that are known only in `new`, and may be in any order
+started!(Started
+    0.3[rad / s ^ 2] * (t - start).max(0).powi(2)
+        - if t < slower { 0 } else { 0.3[rad / s ^ 2] * (t - slower).powi(2) }
+        + 0.1[rad / s ^ 2] * t * (t - 2[s]) * table(t, [0, 1, 3][s], [0, 1, 0.5], cubic));
+started!(Still
+    0[rad] * (start + slower) / 1[s]
+        + 0.1[rad / s ^ 2] * t * (t - 2[s]) * table(t, [0, 1, 3][s], [0, 1, 0.5], cubic));
+started!(Moving
+    0.3[rad / s ^ 2] * (t - start).powi(2) + 0 * slower / 1[s]
+        + 0.1[rad / s ^ 2] * t * (t - 2[s]) * table(t, [0, 1, 3][s], [0, 1, 0.5], cubic));
+
+#[test]
+fn motions_with_continuous_rates_have_branches() {
+    let (start, slower) = (0.7, 1.9);
+    let started = Started::new(StartedParams { start, slower }).unwrap();
+    let still = Still::new(StillParams { start, slower }).unwrap();
+    let moving = Moving::new(MovingParams { start, slower }).unwrap();
+    let swing = Hinge {
+        angle: 0.4,
+        angular_velocity: -0.3,
+    };
+    let found = |time: f64| {
+        started
+            .acceleration(time, &StartedState { swing }, &())
+            .swing
+    };
+    let before = still.acceleration(0.5, &StillState { swing }, &()).swing;
+    assert!((found(0.5) - before).abs() < 1e-15);
+    let after = moving.acceleration(1.5, &MovingState { swing }, &()).swing;
+    assert!((found(1.5) - after).abs() < 1e-15);
+}

@@ -2,4 +2,5 @@
 
 mod derivative;
 mod gradient;
+mod jumps;
 mod norms;

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::errors::{Errors, Extent, silently};
-use crate::model::{Coordinate, Dimension, JointKind, Meaning, Rates, Variable};
+use crate::model::{Coordinate, Dimension, JointKind, Meaning, Rates, Variable, shown};
 use crate::symbolic::Id;
 use crate::syntax::Expression;
 
@@ -113,7 +113,42 @@ impl Reader<'_> {
         let value = self.at_top(errors, |lowering| lowering.scalar(written, dimension, what))?;
         let rate = self.rate(value, (value, written), errors)?;
         let acceleration = self.rate(rate, (value, written), errors)?;
+        self.check_jumps([value, rate], (written, what), errors)?;
         Some([value, rate, acceleration])
+    }
+
+    /// Reports a value, or a rate, that jumps at a known time after zero, where most motions begin.
+    fn check_jumps(
+        &mut self,
+        motion: [Id; 2],
+        (written, what): (&Expression, &str),
+        errors: &mut Errors,
+    ) -> Option<()> {
+        let graph = &mut self.work.graph;
+        for jump in graph.jumps(&motion, self.time) {
+            let at = graph.as_number(jump.at);
+            if at.is_some_and(|at| !at.is_positive()) {
+                continue;
+            }
+            let both = ["", "the rate of "].into_iter().zip(jump.by);
+            for (which, by) in both {
+                if !graph.is_nonzero(by) {
+                    continue;
+                }
+                let [at, by] = [jump.at, by].map(|id| graph.as_number(id).map(shown));
+                let at = at.map_or("a time that parameters set".to_owned(), |at| {
+                    format!("t = {at} s")
+                });
+                let by = by.map_or(String::new(), |by| format!(" by {by}"));
+                let message = format!(
+                    "{which}{what} jumps{by} at {at}, and the equations describe no shock: let the rate be \
+                     continuous, as in `0.5 * a * (t - 1[s]).max(0).powi(2)` or a `cubic` table"
+                );
+                errors.push(written.extent, message);
+                return None;
+            }
+        }
+        Some(())
     }
 
     /// The rate of a function of time, of inputs with given rates, and of user-defined states.

@@ -261,7 +261,8 @@ fn the_code_of_a_chain_grows_with_the_number_of_bodies() {
         lines_of(&expansion, "fn acceleration")
     });
     let [first, second] = [lines[1] - lines[0], lines[2] - lines[1]];
-    assert!(second <= 2 * first + 2, "{lines:?}");
+    // lines with longer names break more often
+    assert!(second <= 2 * first + first / 20, "{lines:?}");
 }
 
 /// A product of series for each of the two components of the angular velocity that move: so each rate is a sum of two, those of attitude

@@ -60,17 +60,21 @@ impl Block<'_> {
             return target.clone();
         }
         let plain = work.graph.as_number(id).and_then(number_name);
-        let label = |id: Id| work.labels.get(id).map(str::to_owned);
-        let opposite = || {
-            let mut both = [id, inner].into_iter();
-            let name = both.find_map(|id| label(work.graph.negation_of(id)?))?;
-            Some(format!("minus_{name}"))
+        // the same expression, as a statement or not
+        let label = |id: Id| {
+            let forms = [Some(id), work.graph.quantity_of(id)];
+            forms
+                .into_iter()
+                .flatten()
+                .find_map(|id| work.labels.get(id))
         };
+        let alike = [Some(id), Some(inner), work.graph.quantity_of(inner)];
+        let mut alike = alike.into_iter().flatten();
+        let opposite = |id: Id| Some(format!("minus_{}", label(work.graph.negation_of(id)?)?));
         let wanted = plain
+            .or_else(|| alike.clone().find_map(label))
             .map(str::to_owned)
-            .or_else(|| label(id))
-            .or_else(|| label(inner))
-            .or_else(opposite);
+            .or_else(|| alike.find_map(opposite));
         let wanted = wanted.unwrap_or_else(|| self.describe(inner));
         self.unique(&wanted)
     }

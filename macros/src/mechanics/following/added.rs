@@ -76,7 +76,7 @@ impl Added {
 
     /// Whether this inertia gives all loads of a tree.
     fn is_all(&self, work: &mut Workspace, tree: &Tree) -> bool {
-        let given = self.by_symbols(&mut work.graph, tree);
+        let given = self.by_symbols(work, tree);
         let mut left = Vec::new();
         for (link, given) in tree.links.iter().zip(&given.links) {
             let load = link.load().minus(&mut work.graph, given.load());
@@ -89,11 +89,12 @@ impl Added {
 
     /// The tree with loads written by this inertia, as functions of the symbols of the
     /// accelerations.
-    pub fn by_symbols(&self, graph: &mut Graph, tree: &Tree) -> Tree {
+    pub fn by_symbols(&self, work: &mut Workspace, tree: &Tree) -> Tree {
         if self.is_nothing() {
             return tree.clone();
         }
-        let mut given = self.resist(graph, tree, &self.symbols);
+        let mut given = self.resist(work, tree, &self.symbols);
+        let graph = &mut work.graph;
         for (link, (symbols, armatures)) in self.open(&mut given) {
             let open = link.freedoms.iter_mut().filter(|one| one.given.is_none());
             for ((freedom, symbol), armature) in open.zip(symbols).zip(armatures) {
@@ -106,10 +107,11 @@ impl Added {
 
     /// The tree with this inertia, and with the loads of its motion without accelerations of its
     /// joints.
-    pub fn put_into(&self, graph: &mut Graph, tree: &Tree) -> Tree {
+    pub fn put_into(&self, work: &mut Workspace, tree: &Tree) -> Tree {
         if self.is_nothing() {
             return tree.clone();
         }
+        let graph = &mut work.graph;
         let links = tree.links.iter().map(|link| {
             // a free link falls, and what it carries falls with it
             let freedoms = link.open().map(|freedom| {
@@ -122,7 +124,8 @@ impl Added {
             freedoms.collect()
         });
         let still: Vec<Vec<Id>> = links.collect();
-        let mut resisting = self.resist(graph, tree, &still);
+        let mut resisting = self.resist(work, tree, &still);
+        let graph = &mut work.graph;
         for (link, added) in resisting.links.iter_mut().zip(&self.links) {
             if let Some(added) = added {
                 let own = added.about_center.seen_from(graph, added.center);
@@ -149,7 +152,8 @@ impl Added {
 
     /// The tree with the loads on its links at these accelerations of the coordinates, and with the
     /// drives at zero accelerations.
-    fn resist(&self, graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Tree {
+    fn resist(&self, work: &mut Workspace, tree: &Tree, accelerations: &[Vec<Id>]) -> Tree {
+        let (graph, labels) = (&mut work.graph, &mut work.labels);
         let zero = graph.zero();
         let symbols = self.symbols.concat().into_iter();
         let still: Vec<(Id, Id)> = symbols.map(|symbol| (symbol, zero)).collect();
@@ -161,9 +165,17 @@ impl Added {
             ..tree.clone()
         };
         let motions = motions(graph, &weightless, accelerations);
-        for (number, link) in resisting.links.iter_mut().enumerate() {
-            if let Some(added) = &self.links[number] {
-                let load = added.load(graph, &motions[number]).quantities(graph);
+        for ((link, motion), added) in resisting.links.iter_mut().zip(&motions).zip(&self.links) {
+            let linear = motion.acceleration.linear;
+            labels.explain(linear, "a of each body relative to the ground");
+            labels.vector(&format!("a_{}_absolute", link.name), linear);
+            if let Some(added) = added {
+                let center = motion.at(graph, added.center);
+                labels.explain(center, "a of each G relative to the ground");
+                labels.vector(&format!("a_{}_G", link.name), center);
+                let load = added.load(graph, motion).quantities(graph);
+                load.explain(labels, "given loads on a body");
+                load.name(labels, ["load_moment", "load_force"], &link.name);
                 (link.moment, link.force) = (load.angular, load.linear);
             }
         }
@@ -215,10 +227,8 @@ impl AddedToLink {
 
     /// The loads on the link about its origin, in this motion.
     fn load(&self, graph: &mut Graph, motion: &LinkMotion) -> SpatialVector {
-        let swept = graph.transform(&motion.sweep, self.center);
-        let linear = graph.add_vectors(motion.acceleration.linear, swept);
         let acceleration = SpatialVector {
-            linear: graph.quantities(linear),
+            linear: motion.at(graph, self.center),
             ..motion.acceleration
         };
         let taken = self.about_center.times(graph, &acceleration);

@@ -44,13 +44,13 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
     let built = tree::build(system, work);
     let added = Added::of(system, work, &built);
     let given = match &added {
-        Some(added) => added.by_symbols(&mut work.graph, &built.tree),
+        Some(added) => added.by_symbols(work, &built.tree),
         None => built.tree.clone(),
     };
     let (mut loaded, mut closed) = (given.clone(), None);
     let mut found = match &added {
         Some(added) if system.is_tree() => {
-            let tree = added.put_into(&mut work.graph, &built.tree);
+            let tree = added.put_into(work, &built.tree);
             tree::derive_tree(&mut work.graph, &mut work.labels, &tree)
         }
         _ => {
@@ -127,7 +127,7 @@ impl SystemEquations {
     /// accelerations.
     pub(super) fn resisting(&self, work: &mut Workspace, tree: &Tree) -> Tree {
         match &self.added {
-            Some(added) => added.put_into(&mut work.graph, tree),
+            Some(added) => added.put_into(work, tree),
             None => tree.clone(),
         }
     }

@@ -4,7 +4,7 @@
 use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
-use super::link::{Freedom, Link};
+use super::link::{Freedom, Link, Tree};
 use super::properties::Properties;
 use super::spatial::{Along, SpatialInertia, SpatialVector};
 
@@ -169,5 +169,20 @@ pub fn wrench_on_carrier(graph: &mut Graph, link: &Link, wrench: SpatialVector) 
     SpatialVector {
         angular: graph.add_vectors(moment, lever),
         linear: force,
+    }
+}
+
+/// What a link passes to its carrier: its inertia, and the load that it lacks.
+pub struct Passed<'a>(pub &'a Link, pub SpatialInertia, pub SpatialVector);
+
+/// Names what links pass to their carriers, unless it is all that these have.
+pub fn name_passed(labels: &mut Labels, tree: &Tree, passed: &[Passed<'_>]) {
+    for Passed(link, inertia, load) in passed {
+        let Some(carrier) = link.carrier else {
+            continue;
+        };
+        let of = format!("{}_on_{}", link.name, tree.links[carrier].name);
+        inertia.name(labels, &of, "the same inertia on the carrier, in its axes");
+        load.name_lacking(labels, &of);
     }
 }

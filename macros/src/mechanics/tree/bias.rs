@@ -67,9 +67,7 @@ impl LinkMotion {
         let linear = if link.is_free {
             zeros
         } else {
-            let swept = graph.transform(&self.sweep, link.place);
-            let origin = graph.add_vectors(self.acceleration.linear, swept);
-            let origin = graph.quantities(origin);
+            let origin = self.at(graph, link.place);
             let origin = link.turning.to_link(graph, origin);
             let sliding = sum(graph, |twist| twist.linear);
             let sliding = graph.add_vectors(sliding, sliding);
@@ -79,6 +77,13 @@ impl LinkMotion {
         };
         let linear = graph.quantities(linear);
         Self::new(graph, w, SpatialVector { angular, linear })
+    }
+
+    /// The acceleration of a point at this offset from the origin.
+    pub fn at(&self, graph: &mut Graph, offset: Components) -> Components {
+        let swept = graph.transform(&self.sweep, offset);
+        let linear = graph.add_vectors(self.acceleration.linear, swept);
+        graph.quantities(linear)
     }
 
     /// The same motion if the coordinates of the link accelerate. Those of a free link are given
@@ -192,6 +197,10 @@ pub fn derive_bias(
         let meaning = "w' and a of each body while no joint accelerates, relative to free fall";
         moving.acceleration.explain(labels, meaning);
         moving.acceleration.name(labels, ["alpha", "a"], &link.name);
+        if let Some(number) = link.carrier.filter(|_| !link.is_free) {
+            let of = format!("a_{}_at_{}", tree.links[number].name, link.name);
+            labels.vector(&of, carrier.at(graph, link.place));
+        }
         let meaning = "S r = w' x r + w x (w x r): what an arm r adds to a";
         labels.explain(moving.sweep.concat(), meaning);
         labels.matrix(&format!("sweep_{}", link.name), &moving.sweep);

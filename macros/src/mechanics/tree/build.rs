@@ -252,6 +252,10 @@ impl Making<'_> {
 
     /// Adds a massless link, from which the joint continues.
     fn link(&mut self, turning: Turning, freedoms: Vec<Freedom>) -> usize {
+        if let Turning::By(rows) = turning {
+            let name = format!("rotation_{}", self.name);
+            self.work.labels.matrix(&name, &rows);
+        }
         let graph = &self.work.graph;
         let zeros = graph.zeros();
         self.links.push(Link {

@@ -5,7 +5,7 @@
 use crate::model::Labels;
 use crate::symbolic::{Graph, Id};
 
-use super::articulated::wrench_on_carrier;
+use super::articulated::{Passed, name_passed, wrench_on_carrier};
 use super::bias::derive_bias;
 use super::link::{Link, Tree};
 use super::spatial::{SpatialInertia, SpatialVector};
@@ -29,6 +29,7 @@ impl MassMatrix {
             lacking.push(*own);
         }
         let first = first_freedoms(links);
+        let mut passed = Vec::new();
         let count = links.iter().map(|link| link.open().count()).sum();
         let zero = graph.zero();
         let (mut rows, mut driving) = (vec![vec![zero; count]; count], vec![zero; count]);
@@ -70,8 +71,10 @@ impl MassMatrix {
                 composite[carrier] = composite[carrier].plus(graph, &seen);
                 let wrench = wrench_on_carrier(graph, link, load);
                 lacking[carrier] = lacking[carrier].plus(graph, wrench);
+                passed.push(Passed(link, seen, wrench));
             }
         }
+        name_passed(labels, tree, &passed);
         let freedoms = links.iter().flat_map(Link::open);
         let matrix = Self {
             rows,

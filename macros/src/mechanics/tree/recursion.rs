@@ -3,7 +3,7 @@
 use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
-use super::articulated::{Eliminated, wrench_on_carrier};
+use super::articulated::{Eliminated, Passed, name_passed, wrench_on_carrier};
 use super::bias::derive_bias;
 use super::link::{Link, Tree};
 use super::mass_matrix::MassMatrix;
@@ -89,6 +89,7 @@ fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Acceleratio
         lacking.push(*own);
     }
     let mut eliminated: Vec<Vec<Eliminated>> = Vec::new();
+    let mut passed = Vec::new();
     for (index, link) in tree.links.iter().enumerate().rev() {
         let (mut own, mut load) = (inertia[index].quantities(graph), lacking[index]);
         load = load.quantities(graph);
@@ -100,7 +101,9 @@ fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Acceleratio
             own = own.quantities(graph);
             load = load.quantities(graph);
             let meaning = "the same inertia while the joint gives way";
-            own.name(labels, &format!("{}_yielding", link.name), meaning);
+            let yielding = format!("{}_yielding", link.name);
+            own.name(labels, &yielding, meaning);
+            load.name_lacking(labels, &yielding);
             gone
         });
         eliminated.push(gone.collect());
@@ -109,9 +112,11 @@ fn recursion(graph: &mut Graph, labels: &mut Labels, tree: &Tree) -> Acceleratio
             inertia[carrier] = inertia[carrier].plus(graph, &seen);
             let wrench = wrench_on_carrier(graph, link, load);
             lacking[carrier] = lacking[carrier].plus(graph, wrench);
+            passed.push(Passed(link, seen, wrench));
         }
     }
     eliminated.reverse();
+    name_passed(labels, tree, &passed);
     outwards(graph, labels, tree, &eliminated)
 }
 
@@ -125,10 +130,16 @@ fn outwards(
     let mut moving: Vec<SpatialVector> = Vec::new();
     let mut all = Vec::new();
     for (link, gone) in tree.links.iter().zip(eliminated) {
-        let mut acceleration = match link.carrier {
-            Some(carrier) => acceleration_at(graph, link, moving[carrier]),
+        let carried = match link.carrier {
+            Some(carrier) => {
+                let at = acceleration_at(graph, link, moving[carrier]);
+                let of = format!("linear_{}_at_{}", tree.links[carrier].name, link.name);
+                labels.vector(&of, at.linear);
+                at.seen_in(graph, link.turning)
+            }
             None => SpatialVector::zero(graph),
         };
+        let mut acceleration = carried;
         let mut found = Vec::new();
         for freedom in gone.iter().rev() {
             let carried = freedom.share.dot(graph, acceleration);
@@ -141,6 +152,7 @@ fn outwards(
         found.reverse();
         let acceleration = acceleration.quantities(graph);
         acceleration.name(labels, ["angular", "linear"], &link.name);
+        carried.name(labels, ["angular_carried", "linear_carried"], &link.name);
         moving.push(acceleration);
         if link.is_free {
             let linear: Components = acceleration.linear;
@@ -157,14 +169,12 @@ fn outwards(
     Accelerations(all)
 }
 
-/// The acceleration that the carrier gives the link at its origin, in the axes of the link.
+/// The acceleration that the carrier gives the link at its origin, in the axes of the carrier.
 fn acceleration_at(graph: &mut Graph, link: &Link, carrier: SpatialVector) -> SpatialVector {
     let swept = graph.cross(carrier.angular, link.place);
     let linear = graph.add_vectors(carrier.linear, swept);
-    let linear = graph.quantities(linear);
     SpatialVector {
-        angular: link.turning.to_link(graph, carrier.angular),
-        linear: link.turning.to_link(graph, linear),
+        angular: carrier.angular,
+        linear: graph.quantities(linear),
     }
-    .quantities(graph)
 }

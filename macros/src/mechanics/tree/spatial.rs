@@ -101,6 +101,15 @@ impl SpatialVector {
         }
     }
 
+    /// The same vectors, in the axes of a link instead of those of its carrier.
+    pub fn seen_in(self, graph: &mut Graph, turning: Turning) -> Self {
+        Self {
+            angular: turning.to_link(graph, self.angular),
+            linear: turning.to_link(graph, self.linear),
+        }
+        .quantities(graph)
+    }
+
     pub fn dot(self, graph: &mut Graph, other: Self) -> Id {
         let angular = graph.dot(self.angular, other.angular);
         let linear = graph.dot(self.linear, other.linear);

@@ -33,8 +33,14 @@ impl Graph {
         let folded: Vec<Id> = roots.iter().map(image).collect();
         let cost = |roots: &[Id]| self.late_cost(roots).total();
         if cost(&folded) < cost(roots) {
-            let images = order.iter().map(|id| (*id, image(id)));
-            (folded, images.collect())
+            let mut images: Vec<(Id, Id)> = order.iter().map(|id| (*id, image(id))).collect();
+            // negatives may have names, though sums contain what is negated
+            for (id, image) in images.clone() {
+                if let Some(negative) = self.negation_of(id) {
+                    images.push((negative, self.negate(image)));
+                }
+            }
+            (folded, images)
         } else {
             (roots.to_vec(), Vec::new())
         }

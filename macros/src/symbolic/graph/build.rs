@@ -134,6 +134,11 @@ impl Graph {
         self.find(&Node::Negate(a))
     }
 
+    /// The statement that `a` is, if there is one.
+    pub fn quantity_of(&self, a: Id) -> Option<Id> {
+        self.find(&Node::Quantity(a))
+    }
+
     /// Whether `a` is written with a leading minus, and what follows the sign.
     pub fn split_sign(&mut self, a: Id) -> (bool, Id) {
         let negative = match self.node(a) {

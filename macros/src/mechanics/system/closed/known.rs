@@ -46,7 +46,7 @@ impl<'a> Known<'a> {
     ) -> Self {
         let mut in_world = moved_in_world(work, &built.tree);
         if let Some(added) = added {
-            in_world = added.put_into(&mut work.graph, &in_world);
+            in_world = added.put_into(work, &in_world);
         }
         let free = free_links(system, work, built);
         let placed = place_links((&mut work.graph, &mut work.labels), &built.tree, |link| {

@@ -265,6 +265,32 @@ fn the_code_of_a_chain_grows_with_the_number_of_bodies() {
     assert!(second <= 2 * first + first / 20, "{lines:?}");
 }
 
+/// Twelve bodies in water, on ball joints: too many for a proof by residues, which it does not need.
+#[test]
+fn a_long_chain_in_water_is_solved_with_added_inertia() {
+    let count = 12;
+    let body = |body: usize| {
+        let points = "points: [p = (0.1, 0.2, 0.3), q = (-0.1, 0.1, 0.25)]";
+        let force = "(-0.3[kg] * q.acceleration()).at(q)";
+        let moment = "-0.1[kg * m ^ 2] * angular_acceleration";
+        format!(
+            "b{body} {{ mass: 1[kg], inertia: principal(0.1, 0.2, 0.25)[kg * m ^ 2], {points}, \
+             forces: [water = {force}], moments: [turned = {moment}] }},"
+        )
+    };
+    let joint = |body: usize| match body {
+        0 => "j0 = free(b0),".to_owned(),
+        _ => format!("j{body} = spherical(b{}.q, b{body}.p),", body - 1),
+    };
+    let bodies: String = (0..count).map(body).collect();
+    let joints: String = (0..count).map(joint).collect();
+    let text = format!("Chain {{ bodies: [{bodies}], joints: [{joints}] }}");
+    let expansion = printed(expand_system(text.parse().expect("tokens")));
+    assert!(!expansion.contains("compile_error"), "{expansion}");
+    let lines = lines_of(&expansion, "fn acceleration");
+    assert!(lines <= 6400, "{lines} lines");
+}
+
 /// A product of series for each of the two components of the angular velocity that move: so each rate is a sum of two, those of attitude
 /// and of what the weight turns, and six rates fill eight lanes. Without symmetry seven rates are sums of three.
 #[test]

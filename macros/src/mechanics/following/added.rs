@@ -7,7 +7,6 @@
 //!
 //! So the matrix that is solved with is positive, like M by itself.
 
-use crate::mechanics::proofs::all_vanish;
 use crate::mechanics::tree::link::{Freedom, Link, Tree};
 use crate::mechanics::tree::{Built, LinkMotion, SpatialInertia, SpatialVector, motions, wrench};
 use crate::model::{Felt, Load, Member, System, TreeJoint, Workspace};
@@ -46,7 +45,8 @@ impl Added {
         let mut links: Vec<Option<AddedToLink>> = Vec::new();
         links.resize_with(built.tree.links.len(), || None);
         for (number, (body, joint)) in system.bodies.iter().zip(&system.joints).enumerate() {
-            if let Some(felt) = &body.felt {
+            if body.loads.iter().any(|load| load.follows(work)) {
+                let felt = body.felt.as_ref()?;
                 let added = AddedToLink::of(work, (body, felt), joint.pin, &masses)?;
                 links[built.body(number)] = Some(added);
             }
@@ -55,36 +55,22 @@ impl Added {
         for (link, symbols) in built.tree.links.iter().zip(&symbols) {
             let freedoms = link.open().zip(symbols);
             let own = freedoms.map(|(freedom, symbol)| {
-                let armature = armature(&mut work.graph, freedom, *symbol, &masses)?;
+                let armature = armature(work, freedom, *symbol, &masses)?;
                 // the coordinates of a free link are along world axes
                 (!link.is_free || work.graph.is_zero(armature)).then_some(armature)
             });
             armatures.push(own.collect::<Option<Vec<Id>>>()?);
         }
-        let added = Self {
+        Some(Self {
             links,
             armatures,
             symbols,
-        };
-        added.is_all(work, &built.tree).then_some(added)
+        })
     }
 
     /// Whether no load depends on an acceleration.
     pub fn is_nothing(&self) -> bool {
         self.links.is_empty()
-    }
-
-    /// Whether this inertia gives all loads of a tree.
-    fn is_all(&self, work: &mut Workspace, tree: &Tree) -> bool {
-        let given = self.by_symbols(work, tree);
-        let mut left = Vec::new();
-        for (link, given) in tree.links.iter().zip(&given.links) {
-            let load = link.load().minus(&mut work.graph, given.load());
-            left.extend(load.angular.into_iter().chain(load.linear));
-            let drives = link.open().zip(given.open());
-            left.extend(drives.map(|(own, given)| work.graph.subtract(own.drive, given.drive)));
-        }
-        all_vanish(work, &left)
     }
 
     /// The tree with loads written by this inertia, as functions of the symbols of the
@@ -111,19 +97,12 @@ impl Added {
         if self.is_nothing() {
             return tree.clone();
         }
-        let graph = &mut work.graph;
-        let links = tree.links.iter().map(|link| {
-            // a free link falls, and what it carries falls with it
-            let freedoms = link.open().map(|freedom| {
-                if link.is_free {
-                    graph.dot(freedom.twist.linear, tree.gravity)
-                } else {
-                    graph.zero()
-                }
-            });
-            freedoms.collect()
-        });
-        let still: Vec<Vec<Id>> = links.collect();
+        let zero = work.graph.zero();
+        let still: Vec<Vec<Id>> = self
+            .symbols
+            .iter()
+            .map(|own| vec![zero; own.len()])
+            .collect();
         let mut resisting = self.resist(work, tree, &still);
         let graph = &mut work.graph;
         for (link, added) in resisting.links.iter_mut().zip(&self.links) {
@@ -131,6 +110,8 @@ impl Added {
                 let own = added.about_center.seen_from(graph, added.center);
                 link.added = link.added.plus(graph, &own);
             }
+            // gravity does not act on it
+            link.falls = false;
         }
         for (link, (_, armatures)) in self.open(&mut resisting) {
             let open = link.freedoms.iter_mut().filter(|one| one.given.is_none());
@@ -190,26 +171,34 @@ impl AddedToLink {
         pin: Components,
         masses: &[Id],
     ) -> Option<Self> {
-        let known = body.loads.iter().filter(|load| !load.follows(work));
-        let all: Vec<&Load> = known.chain(&felt.loads).collect();
-        let columns = columns(work, body, felt, &all);
-        let mut each = felt.loads.iter();
-        if !is_semidefinite(&mut work.graph, &columns, masses)
-            && !each.all(|load| {
-                let own = self::columns(work, body, felt, &[load]);
-                is_semidefinite(&mut work.graph, &own, masses)
-            })
+        let (follow, known): (Vec<&Load>, Vec<&Load>) =
+            body.loads.iter().partition(|load| load.follows(work));
+        let names = follow.iter().map(|load| &load.name);
+        let all: Vec<&Load> = known.into_iter().chain(&felt.loads).collect();
+        // no load was added later, or depends on the acceleration of anything else
+        if !names.eq(felt.loads.iter().map(|load| &load.name))
+            || all.iter().any(|load| load.follows(work))
         {
+            return None;
+        }
+        let zeros = work.graph.zeros();
+        let columns = columns(work, (body, felt), &all, zeros);
+        let is_constant = columns
+            .iter()
+            .flatten()
+            .all(|one| work.graph.is_early(*one));
+        let mut each = felt.loads.iter();
+        let is_inertia = is_semidefinite(&mut work.graph, &columns, masses)
+            || each.all(|load| resists(work, (body, felt), load, masses));
+        if !is_constant || !is_inertia {
             return None;
         }
         let block = |row: usize, column: usize| {
             [0, 1, 2].map(|i| [0, 1, 2].map(|j| columns[3 * column + j][3 * row + i]))
         };
-        let [force, moment] = about_center(work, body, &all);
-        let symbols = work.accelerations_in(&[force, moment].concat()).into_iter();
-        let symbols = symbols.chain(felt.acceleration.concat());
-        let graph = &mut work.graph;
-        let zero = graph.zero();
+        let (force, moment) = wrench(work, body, all, zeros);
+        let (graph, zero) = (&mut work.graph, zeros[0]);
+        let symbols = felt.acceleration.concat().into_iter();
         let still: Vec<(Id, Id)> = symbols.map(|symbol| (symbol, zero)).collect();
         Some(Self {
             about_center: SpatialInertia {
@@ -249,38 +238,59 @@ fn follows(system: &System, work: &Workspace) -> bool {
     loads.any(|load| load.follows(work)) || !work.accelerations_in(&drives).is_empty()
 }
 
-/// The force and the moment of loads on a body, about G.
-fn about_center(work: &mut Workspace, body: &Member, loads: &[&Load]) -> [Components; 2] {
-    let center = work.graph.zeros();
-    wrench(work, body, loads.iter().copied(), center).into()
+/// Whether a load by itself adds an inertia, about G or about the point where it acts.
+fn resists(
+    work: &mut Workspace,
+    (body, felt): (&Member, &Felt),
+    load: &Load,
+    masses: &[Id],
+) -> bool {
+    let points = [Some(work.graph.zeros()), load.point.offset(body.state.body)];
+    points.into_iter().flatten().any(|point| {
+        let columns = columns(work, (body, felt), &[load], point);
+        is_semidefinite(&mut work.graph, &columns, masses)
+    })
 }
 
-/// The inertia that loads on a body add, column by column: minus the moment and the force by each
-/// component of the angular and the linear acceleration.
-fn columns(work: &mut Workspace, body: &Member, felt: &Felt, loads: &[&Load]) -> Vec<Vec<Id>> {
-    let [force, moment] = about_center(work, body, loads);
+/// The inertia that loads on a body add, about a point at this offset from G, column by column:
+/// minus the moment and the force by each component of the angular and the linear acceleration.
+fn columns(
+    work: &mut Workspace,
+    (body, felt): (&Member, &Felt),
+    loads: &[&Load],
+    point: Components,
+) -> Vec<Vec<Id>> {
+    let (force, moment) = wrench(work, body, loads.iter().copied(), point);
     let graph = &mut work.graph;
-    let (parts, one) = ([moment, force].concat(), graph.one());
-    let symbols = felt.acceleration.concat().into_iter();
+    let [angular, linear] = felt.acceleration;
+    // the acceleration of G, from that of the point
+    let swept = graph.cross(angular, point);
+    let of_center = graph.subtract_vectors(linear, swept);
+    let given: Vec<(Id, Id)> = linear.into_iter().zip(of_center).collect();
+    let parts = [moment, force]
+        .map(|part| graph.replaced(part, &given))
+        .concat();
+    let one = graph.one();
     // in the plane, some components are zero
-    let columns = symbols.map(|symbol| {
+    let columns = felt.acceleration.concat().into_iter().map(|symbol| {
         let is_there = !graph.is_zero(symbol);
         let slopes = graph.change(&parts, |id| (is_there && id == symbol).then_some(one));
-        slopes
-            .into_iter()
-            .map(|slope| graph.negate(slope))
-            .collect()
+        let slopes = slopes.into_iter();
+        slopes.map(|slope| graph.negate(slope)).collect()
     });
     columns.collect()
 }
 
 /// The inertia along a coordinate that its drive adds.
-fn armature(graph: &mut Graph, freedom: &Freedom, symbol: Id, masses: &[Id]) -> Option<Id> {
+fn armature(work: &mut Workspace, freedom: &Freedom, symbol: Id, masses: &[Id]) -> Option<Id> {
+    let mut others = work.accelerations_in(&[freedom.drive]);
+    others.retain(|other| *other != symbol);
+    let graph = &mut work.graph;
     let [slope] = graph.derivative(&[freedom.drive], symbol)[..] else {
         return None;
     };
     let added = graph.negate(slope);
-    is_known_sign(graph, added, masses).then_some(added)
+    (others.is_empty() && is_known_sign(graph, added, masses)).then_some(added)
 }
 
 /// Whether a constant symmetric matrix is proved to have no negative eigenvalue: it is a number of

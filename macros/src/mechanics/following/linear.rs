@@ -104,7 +104,7 @@ pub fn unknowns_in(work: &Workspace, roots: &[Id]) -> Vec<Id> {
 /// Whether expressions are linear in the unknowns that they contain.
 fn is_linear(work: &mut Workspace, roots: &[Id]) -> bool {
     let symbols = unknowns_in(work, roots);
-    if symbols.is_empty() {
+    if symbols.is_empty() || work.graph.is_linear(roots, &symbols) {
         return true;
     }
     let zero = work.graph.zero();

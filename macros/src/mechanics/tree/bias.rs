@@ -64,10 +64,14 @@ impl LinkMotion {
         let angular = graph.add_vectors(angular, swung);
         let angular = graph.add_vectors(angular, given.angular);
         let angular = graph.quantities(angular);
-        let linear = if link.is_free {
+        let linear = if link.falls {
             zeros
         } else {
-            let origin = self.at(graph, link.place);
+            let origin = if link.is_free {
+                self.acceleration.linear
+            } else {
+                self.at(graph, link.place)
+            };
             let origin = link.turning.to_link(graph, origin);
             let sliding = sum(graph, |twist| twist.linear);
             let sliding = graph.add_vectors(sliding, sliding);

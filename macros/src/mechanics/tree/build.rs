@@ -209,7 +209,7 @@ impl Making<'_> {
             quaternion_turning(self.work, quaternion)
         };
         let index = self.link(turning, freedoms);
-        self.links[index].is_free = true;
+        (self.links[index].is_free, self.links[index].falls) = (true, true);
     }
 
     /// A link that rotates about a direction.
@@ -266,6 +266,7 @@ impl Making<'_> {
             angle: None,
             freedoms,
             is_free: false,
+            falls: false,
             properties: Properties::none(graph),
             added: SpatialInertia::none(graph),
             force: zeros,

@@ -31,6 +31,9 @@ pub struct Link {
     /// Whether it is free: its accelerations are absolute and do not depend on a carrier, so its
     /// origin is arbitrary.
     pub is_free: bool,
+    /// For a free link, whether it is solved for relative to free fall. With inertia that has no
+    /// weight, this would lose digits.
+    pub falls: bool,
     pub properties: Properties,
     /// The inertia that loads add to it, about its origin, in its axes.
     pub added: SpatialInertia,

@@ -156,8 +156,10 @@ fn outwards(
         moving.push(acceleration);
         if link.is_free {
             let linear: Components = acceleration.linear;
-            let linear = link.turning.to_carrier(graph, linear);
-            let linear = graph.add_vectors(linear, tree.gravity);
+            let mut linear = link.turning.to_carrier(graph, linear);
+            if link.falls {
+                linear = graph.add_vectors(linear, tree.gravity);
+            }
             for ((rate, part), freedom) in found.iter_mut().zip(linear).zip(link.open()) {
                 if graph.is_zero_vector(&freedom.twist.angular) {
                     *rate = part;

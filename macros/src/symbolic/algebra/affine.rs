@@ -32,6 +32,29 @@ impl Graph {
         Some(self.sum(&terms))
     }
 
+    /// Whether each root is a sum of the symbols by its form, each with a factor without them, and
+    /// of a rest without them.
+    pub fn is_linear(&self, roots: &[Id], symbols: &[Id]) -> bool {
+        let mut degrees: BTreeMap<Id, usize> = BTreeMap::new();
+        for id in self.reachable(roots, |_| true) {
+            let degree = |a: &Id| degrees.get(a).copied().unwrap_or(0);
+            let own = match self.node(id) {
+                Node::Symbol(_) => usize::from(symbols.contains(&id)),
+                Node::Add(a, b) | Node::Subtract(a, b) => degree(a).max(degree(b)),
+                Node::Multiply(a, b) => degree(a) + degree(b),
+                Node::Negate(a) | Node::Quantity(a) => degree(a),
+                Node::Divide(a, b) if degree(b) == 0 => degree(a),
+                Node::Select(condition, a, b) if degree(condition) == 0 => degree(a).max(degree(b)),
+                other => {
+                    let depends = other.operands().any(|operand| degree(&operand) > 0);
+                    2 * usize::from(depends)
+                }
+            };
+            degrees.insert(id, own.min(2));
+        }
+        roots.iter().all(|root| degrees[root] < 2)
+    }
+
     /// Whether the root consists of sums, symbols and early factors alone.
     fn is_affine(&self, root: Id) -> bool {
         let (mut pending, mut seen) = (vec![root], BTreeSet::new());

@@ -6,6 +6,9 @@ use crate::symbolic::number::Function;
 
 use super::nodes::{Graph, Id, Node};
 
+/// The most factors of a product that are compared.
+const MOST_FACTORS: usize = 64;
+
 /// The known sign of an expression, wherever it has a value.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Sign {
@@ -58,22 +61,42 @@ impl Graph {
     fn sign(&self, a: Id, positive: &[Id]) -> Sign {
         let mut signs: HashMap<Id, Sign> = HashMap::new();
         for id in self.reachable(&[a], |id| !matches!(self.node(id), Node::Positive(_))) {
-            let known = |operand: &Id| signs.get(operand).copied().unwrap_or(Sign::Unknown);
+            let known = |operand: Id| signs.get(&operand).copied().unwrap_or(Sign::Unknown);
             let sign = match self.node(id) {
                 _ if positive.contains(&id) => Sign::Positive,
                 Node::Positive(_) | Node::Unary(Function::Exp, _) => Sign::Positive,
                 Node::Number(number) if number.is_positive() => Sign::Positive,
                 Node::Number(number) if number.is_zero() => Sign::NotNegative,
-                Node::Quantity(a) => known(a),
-                Node::Add(a, b) => known(a).plus(known(b)),
-                Node::Multiply(a, b) if a == b => known(a).squared(),
-                Node::Multiply(a, b) | Node::Divide(a, b) => known(a).times(known(b)),
+                Node::Quantity(a) => known(*a),
+                Node::Add(a, b) => known(*a).plus(known(*b)),
+                Node::Multiply(..) => self.sign_of_product(id, known),
+                Node::Divide(a, b) => known(*a).times(known(*b)),
                 Node::Unary(Function::Abs | Function::Sqrt, _) => Sign::NotNegative,
                 _ => Sign::Unknown,
             };
             signs.insert(id, sign);
         }
         signs.get(&a).copied().unwrap_or(Sign::Unknown)
+    }
+
+    /// The sign of a product, whose factors may occur several times.
+    fn sign_of_product(&self, id: Id, known: impl Fn(Id) -> Sign) -> Sign {
+        let (mut factors, mut open) = (Vec::new(), vec![id]);
+        while let Some(next) = open.pop() {
+            match *self.node(next) {
+                Node::Multiply(a, b) if factors.len() + open.len() < MOST_FACTORS => {
+                    open.extend([a, b]);
+                }
+                _ => factors.push(next),
+            }
+        }
+        factors.sort_unstable();
+        let alike = factors.chunk_by(|a, b| a == b);
+        let signs = alike.map(|alike| match alike.len() % 2 {
+            0 => known(alike[0]).squared(),
+            _ => known(alike[0]),
+        });
+        signs.fold(Sign::Positive, Sign::times)
     }
 }
 

@@ -144,7 +144,7 @@ fn ends<'a>(
 pub fn moved_in_world(work: &mut Workspace, tree: &Tree) -> Tree {
     let mut tree = tree.clone();
     for link in tree.links.iter_mut().filter(|link| link.is_free) {
-        link.is_free = false;
+        (link.is_free, link.falls) = (false, false);
         for freedom in &mut link.freedoms {
             freedom.twist.linear = link.turning.to_link(&mut work.graph, freedom.twist.linear);
         }

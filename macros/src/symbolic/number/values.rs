@@ -69,9 +69,8 @@ impl Number {
         if self.is_zero() {
             return Some(Self::zero());
         }
-        let residue = (!self.is_rounded()).then(|| root_residue(self)).flatten();
         self.exact_root(2)
-            .or_else(|| Self::value_of(Function::Sqrt, self, residue))
+            .or_else(|| Self::value_of(Function::Sqrt, self, root_residue(self)))
     }
 
     fn cbrt(&self) -> Option<Self> {

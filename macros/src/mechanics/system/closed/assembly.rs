@@ -155,7 +155,7 @@ impl<'a> Assembly<'a> {
         for _ in 0..STEPS {
             let slopes = self.slopes(values);
             let slopes: Vec<Vec<f64>> = held.iter().map(|row| slopes[*row].clone()).collect();
-            let step = solve(&slopes, &errors, damping);
+            let step = bounded(solve(&slopes, &errors, damping), &errors);
             let moved = self.moved(values, &step);
             let next = self.evaluate(&roots, &moved);
             if squares(&next) < squares(&errors) {
@@ -215,6 +215,14 @@ impl<'a> Assembly<'a> {
 
 fn count(found: &[bool]) -> usize {
     found.iter().filter(|is_new| **is_new).count()
+}
+
+/// A step of Newton's method, no longer than one and the errors. A longer one leads to distant
+/// states, where moments are so much larger than forces that these are taken for nothing.
+fn bounded(step: Vec<f64>, errors: &[f64]) -> Vec<f64> {
+    let largest = |all: &[f64]| all.iter().fold(0.0, |most, one| f64::max(most, one.abs()));
+    let share = (1.0 + largest(errors)) / largest(&step).max(f64::MIN_POSITIVE);
+    step.into_iter().map(|part| part * share.min(1.0)).collect()
 }
 
 fn squares(all: &[f64]) -> f64 {

@@ -118,10 +118,18 @@ pub fn component_meant(group: &Group) -> Option<char> {
 }
 
 /// Reports parentheses behind a number, or behind other ones if they hold a unit:
-/// `9.81(m / s ^ 2)`. They can be left out.
-pub fn behind_number(group: &Group, before: Option<&TokenTree>, errors: &mut Errors) -> bool {
+/// `9.81(m / s ^ 2)`; and a unit in braces, where these are no branch. They can be left out.
+pub fn behind_number(group: &Group, before: &[TokenTree], errors: &mut Errors) -> bool {
     let is_parentheses = |group: &Group| group.delimiter() == Delimiter::Parenthesis;
+    let is_if = |token: &TokenTree| matches!(token, TokenTree::Ident(word) if word == "if");
+    let mut own = before
+        .iter()
+        .rev()
+        .take_while(|token| !is_punct(token, ','));
+    let in_braces = group.delimiter() == Delimiter::Brace && !own.any(is_if);
+    let before = before.last();
     let number = match before {
+        Some(TokenTree::Literal(number)) if in_braces => number.to_string(),
         _ if !is_parentheses(group) => return false,
         Some(TokenTree::Literal(number)) => number.to_string(),
         Some(TokenTree::Group(before)) if is_parentheses(before) => "(..)".to_owned(),
@@ -129,7 +137,7 @@ pub fn behind_number(group: &Group, before: Option<&TokenTree>, errors: &mut Err
     };
     let message = match written_unit(group) {
         Some(unit) => format!("a unit stands in square brackets: write `{number}[{unit}]`"),
-        None if matches!(before, Some(TokenTree::Group(_))) => return false,
+        None if in_braces || matches!(before, Some(TokenTree::Group(_))) => return false,
         None => format!("a product is written with `*`: write `{number} * (..)`"),
     };
     errors.push(group.span_open(), message);

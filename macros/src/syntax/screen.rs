@@ -71,7 +71,9 @@ impl Screen<'_> {
                 break;
             }
             let read = match token {
-                TokenTree::Group(group) if behind_number(group, before, self.errors) => Some(1),
+                TokenTree::Group(group) if behind_number(group, &tokens[..index], self.errors) => {
+                    Some(1)
+                }
                 TokenTree::Group(group) => {
                     let group = &meant(group, &tokens, index, self.errors);
                     shown.push(self.group(group, before, depth + nested.depth(), function));

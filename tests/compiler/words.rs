@@ -255,6 +255,7 @@ fn constants_that_nobody_tells_apart() {
         ("3.sqrt()", "3.powf(0.5)"),
         ("2.cbrt().powi(3)", "2"),
         ("2.ln() + 3.ln()", "6.ln()"),
+        ("1 + 2.sqrt()", "(3 + 2 * 2.sqrt()).sqrt()"),
     ] {
         for (comparison, holds) in [("==", true), ("!=", false), ("<", false), (">=", true)] {
             let value = format!("if {left} {comparison} {right} {{ 3 }} else {{ 2 }}");

@@ -17,7 +17,7 @@ use super::ball::{Ball, NONE};
 use super::exact::{Irrational, Kind, Number, Term};
 use super::float::{Float, PRECISION};
 use super::function::Function;
-use super::residue::{PRIME, Residue};
+use super::residue::Residue;
 
 /// An exact number with more bits in numerator and denominator is rounded to [`PRECISION`].
 const EXACT: usize = 1 << 13;
@@ -314,17 +314,11 @@ impl Irrational {
     }
 }
 
-/// The residue of the root of a positive number: one whose square is the residue of the number. For
-/// a rational number, it is the product of the roots of its small prime factors and of the rest, so
-/// that roots of products are mostly products of roots.
+/// The residue of the root of a positive rational number. Only small prime factors are looked for;
+/// all that is known of the rest is that equal numbers have equal residues.
 pub fn root_residue(of: &Number) -> Option<Residue> {
     let (above, below) = (of.value.numerator(), of.value.denominator());
-    let Some(mut rest) = u128::try_from(above * IBig::from(below.clone()))
-        .ok()
-        .filter(|_| !of.is_rounded())
-    else {
-        return of.residue().root();
-    };
+    let mut rest = u128::try_from(above * IBig::from(below.clone())).ok()?;
     let mut residue = Residue::rational(&Number::from(RBig::from(below.clone())))?.reciprocal()?;
     let mut times = |prime: u128, power: u32| {
         let prime = Residue::real(prime);
@@ -348,7 +342,8 @@ pub fn root_residue(of: &Number) -> Option<Residue> {
     }
     match rest {
         1 => {}
-        rest => times(rest % PRIME, 1)?,
+        prime if prime < 1 << 32 => times(prime, 1)?,
+        _ => residue = residue * Residue::stand_in(&(Function::Sqrt, rest)),
     }
     Some(residue)
 }

@@ -69,8 +69,9 @@ impl Number {
         if self.is_zero() {
             return Some(Self::zero());
         }
+        let residue = (!self.is_rounded()).then(|| root_residue(self)).flatten();
         self.exact_root(2)
-            .or_else(|| Self::value_of(Function::Sqrt, self, root_residue(self)))
+            .or_else(|| Self::value_of(Function::Sqrt, self, residue))
     }
 
     fn cbrt(&self) -> Option<Self> {

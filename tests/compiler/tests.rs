@@ -16,6 +16,7 @@ mod equations;
 mod expansions;
 mod files;
 mod from_root;
+mod jumps;
 mod models;
 mod numbers;
 mod operations;

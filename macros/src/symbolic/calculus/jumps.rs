@@ -1,134 +1,197 @@
-//! Jumps of functions of time, at conditions on time and at the knots of tables.
+//! Jumps of functions of time at times that are numbers: at conditions on time, steps, and the knots
+//! of tables.
 
 use std::cmp::Ordering;
+use std::collections::BTreeMap;
 
 use crate::symbolic::graph::{Graph, Id, Node};
 use crate::symbolic::number::{Function, Number};
 
-/// A time at which functions may jump, and the change of each.
+/// A time at which functions jump, and the values of each before and after.
 pub struct Jump {
-    pub at: Id,
-    pub by: Vec<Id>,
+    pub at: Number,
+    pub sides: Vec<[Id; 2]>,
 }
 
-/// A node, with its values before and after a time.
-type Sides = (Id, [Id; 2]);
+/// One side of a time.
+struct Side<'a> {
+    time: Id,
+    at: &'a Number,
+    is_after: bool,
+    /// The values of nodes there; `None` if they are not known.
+    known: BTreeMap<Id, Option<Id>>,
+}
 
 impl Graph {
-    /// The jumps of `roots` where a condition, a sign or a table depends on `time` linearly, by a
-    /// number, and where that time is known early. Others are left out. The ends of a table that
-    /// holds its last value are none: a motion may end there.
+    /// The values of `roots` on both sides of each time at which a part of them may jump, if these
+    /// are known. Only parts that depend on time linearly, by a number, give such times, and the
+    /// ends of tables that hold their last values give none: motions may end there.
     pub fn jumps(&mut self, roots: &[Id], time: Id) -> Vec<Jump> {
-        let mut places: Vec<(Id, Vec<Sides>)> = Vec::new();
+        let mut times: Vec<Number> = Vec::new();
         for id in self.reachable(roots, |_| true) {
-            for (at, sides) in self.around(id, time) {
-                match places.iter_mut().find(|(known, _)| *known == at) {
-                    Some((_, all)) => all.push((id, sides)),
-                    None => places.push((at, vec![(id, sides)])),
+            for at in self.times(id, time) {
+                if at.is_positive() && !at.is_undecided() && !times.contains(&at) {
+                    times.push(at);
                 }
             }
         }
-        let jumps = places.into_iter().map(|(at, nodes)| {
-            let [before, after] = [0, 1].map(|side| {
-                self.rebuild(roots, |graph, id, image| {
-                    let known = nodes.iter().find(|(node, _)| *node == id);
-                    match known {
-                        Some((_, sides)) => sides[side],
-                        None if id == time => at,
-                        None => graph.remake(id, image),
-                    }
-                })
+        let jumps = times.into_iter().filter_map(|at| {
+            let both = [false, true].map(|is_after| {
+                let mut side = Side {
+                    time,
+                    at: &at,
+                    is_after,
+                    known: BTreeMap::new(),
+                };
+                let values = roots.iter().map(|root| side.value(self, *root));
+                values.collect::<Option<Vec<Id>>>()
             });
-            let sides = after.into_iter().zip(before);
-            let by = sides.map(|(after, before)| self.subtract(after, before));
-            Jump {
-                at,
-                by: by.collect(),
-            }
+            let [before, after] = both;
+            let sides = before?.into_iter().zip(after?);
+            let sides = sides.map(|(before, after)| [before, after]).collect();
+            Some(Jump { at, sides })
         });
         jumps.collect()
     }
 
-    /// The times at which a node by itself may jump, each with its values before and after.
-    fn around(&mut self, id: Id, time: Id) -> Vec<(Id, [Id; 2])> {
+    /// Whether an expression is a product of numbers and symbols.
+    pub fn is_product(&self, id: Id) -> bool {
         match *self.node(id) {
-            Node::Compare(comparison, a, b) => {
-                let difference = self.subtract(a, b);
-                let zero = Number::zero();
-                let crossing = self.crossing(difference, &zero, time);
-                let both = crossing.map(|(at, orders)| {
-                    let truths = orders.map(|order| comparison.holds(order));
-                    (at, truths.map(|truth| self.truth(truth)))
-                });
-                both.into_iter().collect()
-            }
-            Node::Unary(Function::Signum, a) => {
-                let crossing = self.crossing(a, &Number::zero(), time);
-                let both = crossing.map(|(at, orders)| {
-                    (
-                        at,
-                        orders.map(|order| self.integer(if order.is_lt() { -1 } else { 1 })),
-                    )
-                });
-                both.into_iter().collect()
-            }
-            Node::Unary(function @ (Function::Floor | Function::Ceil), a) => {
-                // they jump alike at all integers
-                let integers = [-1, 0, 1].into_iter();
-                let all = integers.filter_map(|integer| {
-                    let number = Number::integer(integer);
-                    let (at, orders) = self.crossing(a, &number, time)?;
-                    let lower = integer - i64::from(function == Function::Floor);
-                    let value = |order: Ordering| lower + i64::from(order.is_gt());
-                    Some((at, orders.map(|order| self.integer(value(order)))))
-                });
-                all.collect()
-            }
-            Node::Binary(Function::Table, a, table) => self.around_knots(a, table, time),
-            _ => Vec::new(),
+            Node::Symbol(_) => true,
+            Node::Number(ref number) => !number.is_zero() && !number.is_undecided(),
+            Node::Multiply(a, b) | Node::Divide(a, b) => self.is_product(a) && self.is_product(b),
+            Node::Negate(a) | Node::Quantity(a) => self.is_product(a),
+            _ => false,
         }
     }
 
-    /// The times at which the argument of a table passes a knot where its pieces differ.
-    fn around_knots(&mut self, argument: Id, table: Id, time: Id) -> Vec<(Id, [Id; 2])> {
-        let pieces = self.table(table).map_or(Vec::new(), |table| table.pieces);
-        let last = pieces.len().saturating_sub(2);
-        let mut all = Vec::new();
-        for (place, pair) in pieces.windows(2).enumerate() {
-            let [below, above] = pair else { continue };
-            let values = [below, above].map(|piece| piece.value(&above.start));
-            let is_end = place == 0 && below.is_zero() || place == last && above.is_zero();
-            if is_end || values[0] == values[1] {
-                continue;
+    /// The times at which a node by itself may jump.
+    fn times(&mut self, id: Id, time: Id) -> Vec<Number> {
+        let (argument, values) = match *self.node(id) {
+            Node::Compare(_, a, b) => (self.subtract(a, b), vec![Number::zero()]),
+            Node::Unary(Function::Signum, a) => (a, vec![Number::zero()]),
+            // they jump alike at all integers
+            Node::Unary(Function::Floor | Function::Ceil, a) => {
+                (a, [-1, 0, 1].map(Number::integer).to_vec())
             }
-            if let Some((at, orders)) = self.crossing(argument, &above.start, time) {
-                let value = |order: Ordering| &values[usize::from(order.is_gt())];
-                all.push((at, orders.map(|order| self.number(value(order).clone()))));
+            Node::Binary(Function::Table, a, table) => {
+                let pieces = self.table(table).map_or(Vec::new(), |table| table.pieces);
+                // a piece that holds a value has lost its only coefficient in the derivative
+                let inner = pieces.windows(2).filter(|pair| {
+                    let mut pair = pair.iter();
+                    pair.all(|piece| !piece.coefficients.is_empty())
+                });
+                (a, inner.map(|pair| pair[1].start.clone()).collect())
             }
-        }
-        all
-    }
-
-    /// When an expression passes a value, and how they compare before and after.
-    fn crossing(&mut self, a: Id, value: &Number, time: Id) -> Option<(Id, [Ordering; 2])> {
-        let [slope] = self.derivative(&[a], time)[..] else {
-            return None;
+            _ => return Vec::new(),
         };
-        let number = self.as_number(slope).filter(|slope| !slope.is_zero())?;
-        let mut orders = [Ordering::Less, Ordering::Greater];
-        if number.is_negative() {
-            orders.reverse();
-        }
+        let slope = self.derivative(&[argument], time)[0];
         let zero = self.zero();
-        let [start] = self.substitute(&[a], |id| (id == time).then_some(zero))[..] else {
-            return None;
+        let start = self.substitute(&[argument], |id| (id == time).then_some(zero))[0];
+        let (Some(slope), Some(start)) = (self.as_number(slope), self.as_number(start)) else {
+            return Vec::new();
         };
-        let value = self.number(value.clone());
-        let rest = self.subtract(value, start);
-        let at = self.divide(rest, slope);
-        // steps such as `floor` have the slope zero
-        let there = self.substitute(&[a], |id| (id == time).then_some(at))[0];
-        let left = self.subtract(there, value);
-        (self.is_early(at) && self.vanishes(left)).then_some((at, orders))
+        let (slope, start) = (slope.clone(), start.clone());
+        let times = values.into_iter();
+        let times = times.filter_map(|value| (value - start.clone()).checked_div(&slope));
+        times.collect()
+    }
+}
+
+impl Side<'_> {
+    /// The value of an expression on this side.
+    fn value(&mut self, graph: &mut Graph, root: Id) -> Option<Id> {
+        for id in graph.reachable(&[root], |_| true) {
+            if !self.known.contains_key(&id) {
+                let value = self.of_node(graph, id);
+                self.known.insert(id, value);
+            }
+        }
+        self.known[&root]
+    }
+
+    fn of_node(&mut self, graph: &mut Graph, id: Id) -> Option<Id> {
+        if id == self.time {
+            return Some(graph.number(self.at.clone()));
+        }
+        let node = graph.node(id).clone();
+        if !node
+            .operands()
+            .all(|operand| self.known[&operand].is_some())
+        {
+            return None;
+        }
+        match node {
+            Node::Compare(comparison, a, b) => {
+                let difference = graph.subtract(a, b);
+                match self.order(graph, difference, &Number::zero())? {
+                    Some(order) => Some(graph.truth(comparison.holds(order))),
+                    None => Some(self.remade(graph, id)),
+                }
+            }
+            Node::Unary(Function::Signum, a) => match self.order(graph, a, &Number::zero())? {
+                Some(order) => Some(graph.integer(if order.is_lt() { -1 } else { 1 })),
+                None => Some(self.remade(graph, id)),
+            },
+            Node::Unary(function @ (Function::Floor | Function::Ceil), a) => {
+                let value = self.number(graph, a)?;
+                let Some(whole) = value.to_integer() else {
+                    return Some(self.remade(graph, id));
+                };
+                let is_above = self.order(graph, a, &value)??.is_gt();
+                let lower = whole - i64::from(function == Function::Floor);
+                Some(graph.integer(lower + i64::from(is_above)))
+            }
+            Node::Binary(Function::Table, a, table) => {
+                let value = self.number(graph, a)?;
+                let pieces = graph.table(table)?.pieces;
+                let Some(knot) = pieces.iter().skip(1).position(|piece| piece.start == value)
+                else {
+                    return Some(self.remade(graph, id));
+                };
+                let is_above = self.order(graph, a, &value)??.is_gt();
+                let piece = &pieces[knot + usize::from(is_above)];
+                Some(graph.number(piece.value(&value)))
+            }
+            _ => Some(self.remade(graph, id)),
+        }
+    }
+
+    fn remade(&self, graph: &mut Graph, id: Id) -> Id {
+        graph.remake(id, &|operand| self.known[&operand].unwrap_or(operand))
+    }
+
+    fn number(&self, graph: &Graph, a: Id) -> Option<Number> {
+        let number = graph.as_number(self.known[&a]?)?;
+        (!number.is_undecided()).then(|| number.clone())
+    }
+
+    /// How an expression compares with a value on this side, if it has this value at the time.
+    /// The outer `None` means that this is not known.
+    #[allow(
+        clippy::option_option,
+        reason = "outer: not known; inner: it has another value"
+    )]
+    fn order(&mut self, graph: &mut Graph, a: Id, value: &Number) -> Option<Option<Ordering>> {
+        let there = self.value(graph, a)?;
+        let there = graph.as_number(there)?.clone();
+        if there.is_undecided() {
+            return None;
+        }
+        if there != *value {
+            return Some(None);
+        }
+        let slope = graph.derivative(&[a], self.time)[0];
+        let slope = self.value(graph, slope)?;
+        let slope = graph.as_number(slope)?;
+        if slope.is_zero() || slope.is_undecided() {
+            return None;
+        }
+        let is_above = slope.is_positive() == self.is_after;
+        Some(Some(if is_above {
+            Ordering::Greater
+        } else {
+            Ordering::Less
+        }))
     }
 }

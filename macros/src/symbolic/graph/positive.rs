@@ -69,6 +69,9 @@ impl Graph {
                 Node::Number(number) if number.is_zero() => Sign::NotNegative,
                 Node::Quantity(a) => known(*a),
                 Node::Add(a, b) => known(*a).plus(known(*b)),
+                Node::Multiply(a, b) if a == b => known(*a).squared(),
+                // where a zero has to show, only the form counts in which it is divided by
+                Node::Multiply(a, b) if positive.is_empty() => known(*a).times(known(*b)),
                 Node::Multiply(..) => self.sign_of_product(id, known),
                 Node::Divide(a, b) => known(*a).times(known(*b)),
                 Node::Unary(Function::Abs | Function::Sqrt, _) => Sign::NotNegative,

@@ -18,10 +18,6 @@ pub struct Piece {
 }
 
 impl Piece {
-    pub fn is_zero(&self) -> bool {
-        self.coefficients.iter().all(Number::is_zero)
-    }
-
     pub fn value(&self, x: &Number) -> Number {
         let beyond = x.clone() - self.start.clone();
         let coefficients = self.coefficients.iter().rev();

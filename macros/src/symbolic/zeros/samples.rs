@@ -126,15 +126,6 @@ impl Graph {
         told.collect()
     }
 
-    /// Whether an expression is proved not to be zero on any branch, but for single values of its
-    /// symbols.
-    pub fn is_nonzero(&self, id: Id) -> bool {
-        match self.node(id) {
-            Node::Number(number) => !number.is_zero() && !number.is_undecided(),
-            _ => !self.samples(&[id], |id| free(id, 0))[0].may_vanish(),
-        }
-    }
-
     /// Whether an expression is proved to be zero, whatever its symbols are.
     pub fn vanishes(&self, id: Id) -> bool {
         match self.node(id) {

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::errors::{Errors, Extent, silently};
 use crate::model::{Coordinate, Dimension, JointKind, Meaning, Rates, Variable, shown};
-use crate::symbolic::Id;
+use crate::symbolic::{Graph, Id};
 use crate::syntax::Expression;
 
 use crate::lower::expressions::written_unit;
@@ -117,7 +117,8 @@ impl Reader<'_> {
         Some([value, rate, acceleration])
     }
 
-    /// Reports a value, or a rate, that jumps at a known time after zero, where most motions begin.
+    /// Reports a value, or a rate, that jumps at a number of seconds after zero, where most motions
+    /// begin.
     fn check_jumps(
         &mut self,
         motion: [Id; 2],
@@ -126,22 +127,16 @@ impl Reader<'_> {
     ) -> Option<()> {
         let graph = &mut self.work.graph;
         for jump in graph.jumps(&motion, self.time) {
-            let at = graph.as_number(jump.at);
-            if at.is_some_and(|at| !at.is_positive()) {
-                continue;
-            }
-            let both = ["", "the rate of "].into_iter().zip(jump.by);
-            for (which, by) in both {
-                if !graph.is_nonzero(by) {
+            for (which, [before, after]) in ["", "the rate of "].into_iter().zip(jump.sides) {
+                let by = graph.subtract(after, before);
+                if !is_certain(graph, [before, after], by) {
                     continue;
                 }
-                let [at, by] = [jump.at, by].map(|id| graph.as_number(id).map(shown));
-                let at = at.map_or("a time that parameters set".to_owned(), |at| {
-                    format!("t = {at} s")
-                });
+                let at = shown(&jump.at);
+                let by = graph.as_number(by).map(shown);
                 let by = by.map_or(String::new(), |by| format!(" by {by}"));
                 let message = format!(
-                    "{which}{what} jumps{by} at {at}, and the equations describe no shock: let the rate be \
+                    "{which}{what} jumps{by} at t = {at} s, and the equations describe no shock: let the rate be \
                      continuous, as in `0.5 * a * (t - 1[s]).max(0).powi(2)` or a `cubic` table"
                 );
                 errors.push(written.extent, message);
@@ -248,5 +243,18 @@ impl Reader<'_> {
             let own = lowering.own_states(&[value]);
             lowering.dependent_name(written, &own, &[])
         })
+    }
+}
+
+/// Whether a jump is a number that no rounding of constants explains, or a product of parameters,
+/// such as a speed. Anything else may be zero for the parameters that are meant.
+fn is_certain(graph: &Graph, sides: [Id; 2], by: Id) -> bool {
+    match graph.as_number(by) {
+        Some(by) => {
+            let sizes = sides.iter().filter_map(|side| graph.as_number(*side));
+            let size = sizes.fold(0.0, |size, side| size + side.to_f64().abs());
+            by.to_f64().abs() > 1e-6 * size
+        }
+        None => graph.is_early(by) && graph.is_product(by),
     }
 }

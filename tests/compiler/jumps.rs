@@ -26,6 +26,7 @@ fn continuous_motions_are_accepted() {
         "if t < 2[s] { 0 } else { 1 } + if t*t < 4[s^2] { 0 } else { -1 }",
         "0.1[rad/s^2]*(t*t).min(4[s^2]) - if t < 2[s] { 0 } else { 0.1[rad/s^2]*(4[s^2] - t*t) }",
         "(t + lead.abs()).max(0) / 1[s]",
+        "0.1[1 / s ^ 2] * t * (t - 2[s]) * table(t, [0, 1, 3][s], [0, 1, 0.5], cubic)",
         "if t < 1[s] { (w*t/1[s]).sin() * (w*t/1[s]).cos() } else { 0.5 * (2*w*t/1[s]).sin() }",
         "if t < 1[s] { (t/1[s]).sin() } else { 0.8414709848 + 0.5403023059*(t/1[s]-1) }",
         "(t/1[s]-1)*((t/1[s]-1).max(0))",

@@ -76,10 +76,11 @@ impl Graph {
             }
             Node::Binary(Function::Table, a, table) => {
                 let pieces = self.table(table).map_or(Vec::new(), |table| table.pieces);
-                // a piece that holds a value has lost its only coefficient in the derivative
                 let inner = pieces.windows(2).filter(|pair| {
-                    let mut pair = pair.iter();
-                    pair.all(|piece| !piece.coefficients.is_empty())
+                    let mut pieces = pair.iter();
+                    let [below, above] = [0, 1].map(|side| pair[side].value(&pair[1].start));
+                    // a piece that holds a value has no coefficients in the derivative
+                    pieces.all(|piece| !piece.coefficients.is_empty()) && below != above
                 });
                 (a, inner.map(|pair| pair[1].start.clone()).collect())
             }

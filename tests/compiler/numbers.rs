@@ -220,6 +220,14 @@ fn identities_are_seen() {
     assert_eq!(root("0.5") + root("0.5"), root("2"));
     let nested = apply(Function::Sqrt, &[&(root("2") + Number::one())]);
     assert_eq!(nested.clone() * nested, root("2") + Number::one());
+    // a residue with the sign of another root would prove expressions zero that are not
+    let nested = apply(Function::Sqrt, &[&(parse("6") - parse("2") * root("5"))]);
+    assert_ne!(nested.residue(), (Number::one() - root("5")).residue());
+    let product = apply(Function::Sqrt, &[&parse("4298113591")]);
+    assert_ne!(
+        product.residue(),
+        (-(root("65557") * root("65563"))).residue()
+    );
     // equal, and nobody knows: kept, as near to zero as it is, on no side of it
     let unknown = apply(Function::Sqrt, &[&(parse("3") + parse("2") * root("2"))])
         - (Number::one() + root("2"));

@@ -303,6 +303,14 @@ pendulum!(
     )][0[N * m]]
 );
 pendulum!(Helped[-0.5[kg] * acceleration][0.01[kg * m ^ 2] * hinge.angular_acceleration]);
+// the step is one of the velocity here, and of the acceleration for another joint
+pendulum!(
+    Stepped[body(
+        -0.5[kg] * acceleration.in_body().x
+            + 1[N] * (20[s ^ 2 / m] * acceleration.in_body().y).floor(),
+        0
+    )][0[N * m]]
+);
 // more is added than is taken away
 pendulum!(
     Both[-0.5[kg] * acceleration + 0.2[kg] * acceleration]
@@ -342,6 +350,13 @@ fn loads_that_are_no_inertia_are_right_too() {
                     .acceleration(0.0, &SkewState { hinge }, &())
                     .hinge,
                 (weight - 0.3 * swung) / (inertia + 0.5 * radius * radius),
+            ),
+            (
+                Stepped::default()
+                    .acceleration(0.0, &SteppedState { hinge }, &())
+                    .hinge,
+                (weight + radius * (20.0 * radius * w * w).floor())
+                    / (inertia + 0.5 * radius * radius),
             ),
             (
                 Helped::default()

@@ -7,7 +7,7 @@
 //!
 //! So the matrix that is solved with is positive, like M by itself.
 
-use crate::mechanics::tree::link::{Freedom, Link, Tree};
+use crate::mechanics::tree::link::{Freedom, Tree};
 use crate::mechanics::tree::{Built, LinkMotion, SpatialInertia, SpatialVector, motions, wrench};
 use crate::model::{Felt, Load, Member, System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Graph, Id, Number};
@@ -17,8 +17,8 @@ use crate::symbolic::{Components, Graph, Id, Number};
 pub struct Added {
     /// For each link on which such loads act.
     links: Vec<Option<AddedToLink>>,
-    /// For each open freedom, link by link.
-    armatures: Vec<Vec<Id>>,
+    /// For each open freedom.
+    armatures: Vec<Id>,
     /// The symbols of the accelerations of open freedoms, link by link.
     symbols: Vec<Vec<Id>>,
 }
@@ -53,13 +53,14 @@ impl Added {
         }
         let mut armatures = Vec::new();
         for (link, symbols) in built.tree.links.iter().zip(&symbols) {
-            let freedoms = link.open().zip(symbols);
-            let own = freedoms.map(|(freedom, symbol)| {
+            for (freedom, symbol) in link.open().zip(symbols) {
                 let armature = armature(work, freedom, *symbol, &masses)?;
                 // the coordinates of a free link are along world axes
-                (!link.is_free || work.graph.is_zero(armature)).then_some(armature)
-            });
-            armatures.push(own.collect::<Option<Vec<Id>>>()?);
+                if link.is_free && !work.graph.is_zero(armature) {
+                    return None;
+                }
+                armatures.push(armature);
+            }
         }
         Some(Self {
             links,
@@ -81,12 +82,10 @@ impl Added {
         }
         let mut given = self.resist(work, tree, &self.symbols);
         let graph = &mut work.graph;
-        for (link, (symbols, armatures)) in self.open(&mut given) {
-            let open = link.freedoms.iter_mut().filter(|one| one.given.is_none());
-            for ((freedom, symbol), armature) in open.zip(symbols).zip(armatures) {
-                let taken = graph.multiply(*armature, *symbol);
-                freedom.drive = graph.subtract(freedom.drive, taken);
-            }
+        let symbols = self.symbols.iter().flatten();
+        for ((freedom, symbol), armature) in open(&mut given).zip(symbols).zip(&self.armatures) {
+            let taken = graph.multiply(*armature, *symbol);
+            freedom.drive = graph.subtract(freedom.drive, taken);
         }
         given
     }
@@ -110,25 +109,18 @@ impl Added {
                 let own = added.about_center.seen_from(graph, added.center);
                 link.added = link.added.plus(graph, &own);
             }
-            // gravity does not act on it
-            link.falls = false;
         }
-        for (link, (_, armatures)) in self.open(&mut resisting) {
-            let open = link.freedoms.iter_mut().filter(|one| one.given.is_none());
-            for (freedom, armature) in open.zip(armatures) {
-                freedom.armature = graph.add(freedom.armature, *armature);
-            }
+        for (freedom, armature) in open(&mut resisting).zip(&self.armatures) {
+            freedom.armature = graph.add(freedom.armature, *armature);
+        }
+        for index in 0..tree.links.len() {
+            // gravity does not act on added inertia
+            let mut carried = self.links.iter().enumerate();
+            let bears =
+                carried.any(|(above, added)| added.is_some() && tree.is_above(above, index));
+            resisting.links[index].falls &= !bears;
         }
         resisting
-    }
-
-    /// The links of a tree, each with the symbols and the armatures of its open freedoms.
-    fn open<'a>(
-        &'a self,
-        tree: &'a mut Tree,
-    ) -> impl Iterator<Item = (&'a mut Link, (&'a Vec<Id>, &'a Vec<Id>))> {
-        let freedoms = self.symbols.iter().zip(&self.armatures);
-        tree.links.iter_mut().zip(freedoms)
     }
 
     /// The tree with the loads on its links at these accelerations of the coordinates, and with the
@@ -182,6 +174,12 @@ impl AddedToLink {
             return None;
         }
         let zeros = work.graph.zeros();
+        let (force, moment) = wrench(work, body, all.iter().copied(), zeros);
+        // a step of an acceleration has no slope
+        let symbols = felt.acceleration.concat();
+        if !work.graph.is_linear(&[force, moment].concat(), &symbols) {
+            return None;
+        }
         let columns = columns(work, (body, felt), &all, zeros);
         let is_constant = columns
             .iter()
@@ -196,10 +194,8 @@ impl AddedToLink {
         let block = |row: usize, column: usize| {
             [0, 1, 2].map(|i| [0, 1, 2].map(|j| columns[3 * column + j][3 * row + i]))
         };
-        let (force, moment) = wrench(work, body, all, zeros);
         let (graph, zero) = (&mut work.graph, zeros[0]);
-        let symbols = felt.acceleration.concat().into_iter();
-        let still: Vec<(Id, Id)> = symbols.map(|symbol| (symbol, zero)).collect();
+        let still: Vec<(Id, Id)> = symbols.iter().map(|symbol| (*symbol, zero)).collect();
         Some(Self {
             about_center: SpatialInertia {
                 angular: block(0, 0),
@@ -228,6 +224,12 @@ impl AddedToLink {
             ..load
         }
     }
+}
+
+/// The open freedoms of a tree, link by link.
+fn open(tree: &mut Tree) -> impl Iterator<Item = &mut Freedom> {
+    let freedoms = tree.links.iter_mut().flat_map(|link| &mut link.freedoms);
+    freedoms.filter(|freedom| freedom.given.is_none())
 }
 
 /// Whether any load or drive depends on an acceleration.
@@ -293,8 +295,9 @@ fn armature(work: &mut Workspace, freedom: &Freedom, symbol: Id, masses: &[Id]) 
     (others.is_empty() && is_known_sign(graph, added, masses)).then_some(added)
 }
 
-/// Whether a constant symmetric matrix is proved to have no negative eigenvalue: it is a number of
-/// constant sign, times a matrix of numbers. Entries with nothing beside them are signs of their own.
+/// Whether a constant matrix is proved to be symmetric and to have no negative eigenvalue. Entries on
+/// the diagonal with nothing beside them must not be negative; the others must be numbers times a
+/// factor that is not.
 fn is_semidefinite(graph: &mut Graph, columns: &[Vec<Id>], masses: &[Id]) -> bool {
     let count = columns.len();
     let is_symmetric = (0..count).all(|i| (0..i).all(|j| columns[i][j] == columns[j][i]));
@@ -334,7 +337,7 @@ fn is_semidefinite_in_numbers(mut rows: Vec<Vec<Number>>) -> bool {
             return true;
         };
         let is_alone = beside.iter().all(Number::is_zero);
-        if pivot.is_negative() || pivot.is_zero() && !is_alone {
+        if pivot.is_negative() || pivot.is_undecided() || pivot.is_zero() && !is_alone {
             return false;
         }
         for (row, factor) in rows.iter_mut().zip(beside) {

@@ -65,7 +65,9 @@ impl Graph {
             let sign = match self.node(id) {
                 _ if positive.contains(&id) => Sign::Positive,
                 Node::Positive(_) | Node::Unary(Function::Exp, _) => Sign::Positive,
-                Node::Number(number) if number.is_positive() => Sign::Positive,
+                Node::Number(number) if number.is_positive() && !number.is_undecided() => {
+                    Sign::Positive
+                }
                 Node::Number(number) if number.is_zero() => Sign::NotNegative,
                 Node::Quantity(a) => known(*a),
                 Node::Add(a, b) => known(*a).plus(known(*b)),

@@ -68,10 +68,12 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
         }
     };
     let mut settled = Vec::new();
-    if !added.as_ref().is_some_and(Added::is_nothing) || closed.is_some() {
+    let follow = added.as_ref().is_none_or(|added| !added.is_nothing());
+    if follow || closed.is_some() {
         // outputs use the loads as functions of the accelerations
         found.reduced = given;
-        settled = solved(system, closed.as_ref(), &found.accelerations);
+        let loads = closed.as_ref().map_or(&[][..], |closed| &closed.loads);
+        settled = solved(system, loads, &found.accelerations);
         loaded.replace(&mut work.graph, &settled);
     }
     let joints = built.links.iter().enumerate().map(|(joint, links)| {
@@ -134,14 +136,7 @@ impl SystemEquations {
 
     /// The symbols of accelerations and of the loads of constraints, each with its solution.
     pub fn solved(&self, system: &System) -> Vec<(Id, Id)> {
-        let joints = system.joints.iter().zip(&self.accelerations);
-        let accelerations = joints.flat_map(|(joint, found)| {
-            let symbols = joint.accelerations().into_iter();
-            symbols.zip(found.iter().copied())
-        });
-        let kept = system.constraints.loads.iter().copied();
-        let kept = kept.zip(self.kept_loads().iter().copied());
-        accelerations.chain(kept).collect()
+        solved(system, self.kept_loads(), &self.accelerations)
     }
 
     /// The solutions for the symbols that loads depend on.
@@ -193,8 +188,7 @@ fn coordinates(system: &System, work: &mut Workspace, built: &Built) -> Coordina
 }
 
 /// The symbols of the loads of written constraints and of accelerations, each with its solution.
-fn solved(system: &System, closed: Option<&Closed>, accelerations: &[Vec<Id>]) -> Vec<(Id, Id)> {
-    let loads = closed.into_iter().flat_map(|closed| &closed.loads);
+fn solved(system: &System, loads: &[Id], accelerations: &[Vec<Id>]) -> Vec<(Id, Id)> {
     let loads = system.constraints.loads.iter().zip(loads);
     let open = system.joints.iter().filter(|joint| !joint.is_driven());
     let symbols: Vec<Id> = open.flat_map(TreeJoint::accelerations).collect();

@@ -1,7 +1,7 @@
 //! Constants of the equations that do not fit in a double.
 
 use crate::model::{Defaults, Outline, Substance, Workspace, is_possible, why_not};
-use crate::symbolic::{Id, Node, Number, Stage};
+use crate::symbolic::{Graph, Id, Node, Number, Stage};
 
 use super::errors::Errors;
 
@@ -28,8 +28,8 @@ impl Constants<'_> {
             return;
         }
         let graph = &work.graph;
-        let is_undecided = |id: &Id| graph.as_number(*id).is_some_and(Number::is_undecided);
-        if values.iter().any(is_undecided) {
+        let parts = graph.reachable(&early, |_| true);
+        if parts.into_iter().any(|id| is_undecided(graph, id)) {
             errors.push(
             outline.name.span(),
             format!(
@@ -40,8 +40,9 @@ impl Constants<'_> {
         );
             return;
         }
+        // nothing was concluded from the defaults, and doubles round what is undecided to zero
         let out_of_range = |id: &Id| {
-            let number = graph.as_number(*id);
+            let number = graph.as_number(*id).filter(|number| !number.is_undecided());
             graph.is_undefined(*id) || number.is_some_and(|number| !number.fits_f64())
         };
         if values.iter().any(out_of_range) || outline.has_default() && self.overflows(work, &early)
@@ -77,7 +78,9 @@ impl Constants<'_> {
         let values = graph.substitute(&all, |id| defaults.get(&id).copied());
         let graph = &work.graph;
         let value = |id: Id| all.binary_search(&id).ok().map(|place| values[place]);
-        let is_zero = |id: Id| value(id).is_some_and(|value| graph.is_zero(value));
+        let is_zero = |id: Id| {
+            value(id).is_some_and(|value| graph.is_zero(value) || is_undecided(graph, value))
+        };
         let has_no_value = |id: Id| value(id).is_some_and(|value| graph.is_undefined(value));
         let lost = early.iter().copied().filter(|id| has_no_value(*id));
         let way = graph.reachable(&lost.collect::<Vec<_>>(), has_no_value);
@@ -161,6 +164,11 @@ impl Constants<'_> {
             default(symbol).map_or(f64::NAN, Number::to_f64)
         })
     }
+}
+
+/// Whether a number can neither be told from zero nor is proved to be zero.
+fn is_undecided(graph: &Graph, id: Id) -> bool {
+    graph.as_number(id).is_some_and(Number::is_undecided)
 }
 
 /// Reports the first part of the description that has no value with the defaults of parameters.

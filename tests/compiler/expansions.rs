@@ -177,10 +177,13 @@ fn snapshots() {
     for (name, description) in bodies() {
         check(name, &pretty(description));
     }
-    check(
-        "double_pendulum",
-        &printed(expand_system(double_pendulum())),
-    );
+    let systems = [
+        ("double_pendulum", double_pendulum()),
+        ("slider_crank", slider_crank()),
+    ];
+    for (name, description) in systems {
+        check(name, &printed(expand_system(description)));
+    }
 }
 
 #[test]

@@ -272,7 +272,8 @@ fn check_drives(name: &str, text: &str, bound: u32) {
         known.map(|known| reference.symbol(known)).collect()
     });
     let accelerations: Vec<Vec<Id>> = accelerations.collect();
-    let found = lacking(&mut reference.graph, &tree, &accelerations);
+    let work = (&mut reference.graph, &mut Labels::default());
+    let found = lacking(work, &tree, &accelerations);
     let (found, _) = reference.graph.folded(&found);
     let cost = reference.graph.late_cost(&found);
     let values = &reference.values;

@@ -9,7 +9,7 @@
 
 use crate::mechanics::tree::link::{Freedom, Tree};
 use crate::mechanics::tree::{Built, LinkMotion, SpatialInertia, SpatialVector, motions, wrench};
-use crate::model::{Felt, Load, Member, System, TreeJoint, Workspace};
+use crate::model::{Felt, Labels, Load, Member, System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Graph, Id, Number};
 
 /// The inertia that all loads together add.
@@ -137,7 +137,7 @@ impl Added {
             gravity: graph.zeros(),
             ..tree.clone()
         };
-        let motions = motions(graph, &weightless, accelerations);
+        let motions = motions((graph, &mut Labels::silent()), &weightless, accelerations);
         for ((link, motion), added) in resisting.links.iter_mut().zip(&motions).zip(&self.links) {
             let linear = motion.acceleration.linear;
             labels.explain(linear, "a of each body relative to the ground");

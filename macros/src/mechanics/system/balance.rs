@@ -26,7 +26,7 @@ pub fn derive_system_balances(
     let given: Vec<Vec<Id>> = system.joints.iter().map(TreeJoint::accelerations).collect();
     let built = &equations.built;
     let by_link = by_link(equations, &built.tree, &given);
-    let motions = tree::motions(&mut work.graph, &built.tree, &by_link);
+    let motions = tree::motions((&mut work.graph, &mut work.labels), &built.tree, &by_link);
     let carried = joint_loads(system, work, holding);
     let kept = loads_of_constraints(system, work);
     let values = equations.values();

@@ -3,7 +3,7 @@
 
 use crate::mechanics::tree::link::Link;
 use crate::mechanics::unknowns::{Consistency, Reach, reached, summed_size};
-use crate::model::{System, Workspace};
+use crate::model::{Labels, System, Workspace};
 use crate::symbolic::{Function, Graph, Id};
 
 use super::closed::Closed;
@@ -23,8 +23,9 @@ pub fn derive_system_consistency(
     let order = order(system, &equations.built);
     let motion = motion(work, equations, &closed.inertias);
     let turn = turn(work, equations, &closed.inertias);
+    let (directions, couplings) = corrections(&mut work.graph, closed);
+    label(&mut work.labels, closed, &couplings);
     let graph = &mut work.graph;
-    let (directions, couplings) = corrections(graph, closed);
     let keepers = closed.kept.iter().map(|(keeper, _)| keeper);
     let parts: Vec<_> = keepers.map(|keeper| keeper.joint_part(graph)).collect();
     let rows = closed.rows().enumerate();
@@ -85,6 +86,21 @@ fn corrections(graph: &mut Graph, closed: &Closed) -> (Vec<Vec<Id>>, Vec<Vec<Id>
     (directions, couplings)
 }
 
+/// Names the changes of rows per unit of a load, as inverse masses.
+fn label(labels: &mut Labels, closed: &Closed, couplings: &[Vec<Id>]) {
+    let names = || closed.rows().map(|row| row.name.replace('.', "_"));
+    for (own, couplings) in names().zip(couplings) {
+        for (other, coupling) in names().zip(couplings) {
+            let of = if own == other {
+                own.clone()
+            } else {
+                format!("{own}_{other}")
+            };
+            labels.name(*coupling, format!("inverse_mass_{of}"));
+        }
+    }
+}
+
 /// Twice the kinetic energy, as below, with the rate of each rotation set to one and that of each
 /// slide to zero.
 fn turn(work: &mut Workspace, equations: &SystemEquations, inertias: &[Id]) -> Id {
@@ -93,7 +109,9 @@ fn turn(work: &mut Workspace, equations: &SystemEquations, inertias: &[Id]) -> I
         .zip(inertias)
         .filter(|(freedom, _)| !work.graph.is_zero_vector(&freedom.twist.angular));
     let inertias: Vec<Id> = turning.map(|(_, inertia)| *inertia).collect();
-    work.graph.sum(&inertias)
+    let sum = work.graph.sum(&inertias);
+    work.labels.name(sum, "turning_inertia");
+    sum
 }
 
 /// Twice the kinetic energy, as if each freedom moved by itself.
@@ -107,5 +125,7 @@ fn motion(work: &mut Workspace, equations: &SystemEquations, inertias: &[Id]) ->
             graph.multiply(*inertia, square)
         })
         .collect();
-    graph.sum(&parts)
+    let sum = graph.sum(&parts);
+    work.labels.name(sum, "twice_kinetic_energy");
+    sum
 }

@@ -106,7 +106,7 @@ pub fn lacking_with(
     given: &[Vec<Id>],
 ) -> Vec<Id> {
     let by_link = by_link(equations, tree, given);
-    tree::lacking(&mut work.graph, tree, &by_link)
+    tree::lacking((&mut work.graph, &mut work.labels), tree, &by_link)
 }
 
 /// The load that the joint of every link transmits, with these accelerations, joint by joint.
@@ -117,7 +117,7 @@ fn loads(
     accelerations: &[Vec<Id>],
 ) -> Vec<SpatialVector> {
     let by_link = by_link(equations, tree, accelerations);
-    tree::joint_loads(&mut work.graph, tree, &by_link)
+    tree::joint_loads((&mut work.graph, &mut work.labels), tree, &by_link)
 }
 
 /// The accelerations of the joints, link by link.

@@ -19,7 +19,7 @@ pub fn derive_system_regressors(
     let tree = moved_in_world(work, &equations.built.tree);
     let given: Vec<Vec<_>> = system.joints.iter().map(TreeJoint::accelerations).collect();
     let by_link = by_link(equations, &tree, &given);
-    let motions = tree::motions(&mut work.graph, &tree, &by_link);
+    let motions = tree::motions((&mut work.graph, &mut work.labels), &tree, &by_link);
     let order = order(system, &equations.built);
     let units = Properties::units(&work.graph);
     let is_told = told(if system.is_planar { &PLANAR } else { &SPATIAL });

@@ -1,7 +1,8 @@
 //! The loads of joints, from the balances of everything that they carry: reactions and inverse
 //! dynamics.
 
-use crate::symbolic::{Graph, Id};
+use crate::model::Labels;
+use crate::symbolic::{Components, Graph, Id};
 
 use super::articulated::wrench_on_carrier;
 use super::bias::LinkMotion;
@@ -9,13 +10,32 @@ use super::link::{Freedom, Link, Tree};
 use super::spatial::{Along, SpatialVector};
 
 /// The motions of all links, with these accelerations of the coordinates, link by link.
-pub fn motions(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<LinkMotion> {
+pub fn motions(
+    (graph, labels): (&mut Graph, &mut Labels),
+    tree: &Tree,
+    accelerations: &[Vec<Id>],
+) -> Vec<LinkMotion> {
     let ground = LinkMotion::ground(graph, tree.gravity);
     let mut motions: Vec<LinkMotion> = Vec::new();
     for (link, rates) in tree.links.iter().zip(accelerations) {
         let carrier = link.carrier.map_or(ground, |carrier| motions[carrier]);
         let moving = carrier.carried(graph, link);
-        motions.push(moving.accelerated(graph, tree, link, rates));
+        let moving = moving.accelerated(graph, tree, link, rates);
+        // the acceleration of a coordinate has a name of its own
+        let SpatialVector { angular, linear } = moving.acceleration;
+        let is_own = |vector: Components| rates.iter().any(|rate| vector.contains(rate));
+        if !is_own(angular) {
+            labels.explain(angular, "w' of each body, with the accelerations of joints");
+            labels.vector_or_one("alpha_total", &link.name, angular);
+        }
+        if !is_own(linear) {
+            labels.explain(
+                linear,
+                "a of each body, with those of joints, relative to free fall",
+            );
+            labels.vector(&format!("a_total_{}", link.name), linear);
+        }
+        motions.push(moving);
     }
     motions
 }
@@ -23,22 +43,22 @@ pub fn motions(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec
 /// The force and the moment of each joint on the carried body in the actual motion, about the
 /// origin of the link, in its axes. Along the coordinates, they are the drives.
 pub fn joint_loads(
-    graph: &mut Graph,
+    work: (&mut Graph, &mut Labels),
     tree: &Tree,
     accelerations: &[Vec<Id>],
 ) -> Vec<SpatialVector> {
-    loads(graph, tree, accelerations, driven)
+    loads(work, tree, accelerations, driven)
 }
 
 /// The loads that follow from the balances, for given accelerations; `known` replaces components
 /// that are known otherwise.
 fn loads(
-    graph: &mut Graph,
+    (graph, labels): (&mut Graph, &mut Labels),
     tree: &Tree,
     accelerations: &[Vec<Id>],
     known: impl Fn(&mut Graph, &Link, &[Id], SpatialVector) -> SpatialVector,
 ) -> Vec<SpatialVector> {
-    let motions = motions(graph, tree, accelerations);
+    let motions = motions((graph, labels), tree, accelerations);
     let links = tree.links.iter().zip(&motions);
     let taken = links.map(|(link, moving)| {
         let taken = moving.taken_by(graph, &link.properties);
@@ -48,8 +68,20 @@ fn loads(
     for (index, link) in tree.links.iter().enumerate().rev() {
         let load = known(graph, link, &accelerations[index], loads[index]);
         loads[index] = load.quantities(graph);
+        let mut name = |load: SpatialVector, of: &str| {
+            load.explain(
+                labels,
+                "moment and force of each joint, in the axes of a body",
+            );
+            load.name(labels, ["joint_moment", "joint_force"], of);
+        };
+        name(loads[index], &link.name);
         if let Some(carrier) = link.carrier {
             let passed = wrench_on_carrier(graph, link, loads[index]);
+            name(
+                passed,
+                &format!("{}_on_{}", link.name, tree.links[carrier].name),
+            );
             loads[carrier] = loads[carrier].plus(graph, passed);
         }
     }
@@ -80,8 +112,12 @@ fn driven(
 }
 
 /// The load that is lacking along each open coordinate, for these accelerations.
-pub fn lacking(graph: &mut Graph, tree: &Tree, accelerations: &[Vec<Id>]) -> Vec<Id> {
-    let loads = loads(graph, tree, accelerations, |_, _, _, load| load);
+pub fn lacking(
+    (graph, labels): (&mut Graph, &mut Labels),
+    tree: &Tree,
+    accelerations: &[Vec<Id>],
+) -> Vec<Id> {
+    let loads = loads((graph, labels), tree, accelerations, |_, _, _, load| load);
     let links = tree.links.iter().zip(loads).zip(accelerations);
     let freedoms = links.flat_map(|((link, load), rates)| {
         let freedoms = link.open().zip(rates);

@@ -131,7 +131,15 @@ impl Graph {
 
     /// The negative of `a`, if it already exists.
     pub fn negation_of(&self, a: Id) -> Option<Id> {
-        self.find(&Node::Negate(a))
+        let negated = self.find(&Node::Negate(a));
+        negated.or_else(|| {
+            let Node::Multiply(factor, b) = *self.node(a) else {
+                return None;
+            };
+            let opposite = -self.as_number(factor)?.clone();
+            let opposite = self.find(&Node::Number(opposite))?;
+            self.find(&Node::Multiply(opposite, b))
+        })
     }
 
     /// The statement that `a` is, if there is one.

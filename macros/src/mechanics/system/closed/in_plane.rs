@@ -31,6 +31,14 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
         .into_iter()
         .map(|one| graph.quantity(one))
         .collect();
+    // those of joints have names of their own
+    let links = tree.links.iter().zip(&absolute.turns);
+    for (link, own) in links.filter_map(|(link, own)| Some((link, own.as_ref()?))) {
+        if values[*own] != accelerations[*own] {
+            let name = format!("alpha_total_{}", link.name);
+            work.labels.name(values[*own], name);
+        }
+    }
     let lacking = lacking(work, &known.in_world, &accelerations);
     let lacking = absolute.gathered(&mut work.graph, &lacking);
     Some(Found {
@@ -128,7 +136,13 @@ fn balances(
 /// The loads along the open coordinates that the solved accelerations still need.
 fn lacking(work: &mut Workspace, tree: &Tree, accelerations: &[Id]) -> Vec<Id> {
     let by_link = tree.by_link(accelerations.iter().copied());
-    let graph = &mut work.graph;
-    let all = tree::lacking(graph, tree, &by_link).into_iter();
-    all.map(|one| graph.quantity(one)).collect()
+    let all = tree::lacking((&mut work.graph, &mut work.labels), tree, &by_link);
+    let open = tree.links.iter().flat_map(Link::open);
+    let named = all.into_iter().zip(open);
+    let named = named.map(|(one, freedom)| {
+        let one = work.graph.quantity(one);
+        work.labels.name(one, format!("lacking_{}", freedom.name));
+        one
+    });
+    named.collect()
 }

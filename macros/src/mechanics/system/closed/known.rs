@@ -3,7 +3,7 @@
 
 use crate::mechanics::following::{Added, unknowns_in};
 use crate::mechanics::tree::Built;
-use crate::mechanics::tree::link::Tree;
+use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::variation::Direction;
 use crate::model::{Connection, Frame, System, Workspace};
 use crate::symbolic::{Components, Graph, Id};
@@ -65,7 +65,12 @@ impl<'a> Known<'a> {
         let written = written.enumerate();
         rows.extend(written.map(|(number, row)| (Keeper::Written(number), row)));
         let rows = rows.into_iter();
-        let (idle, kept) = rows.partition(|(keeper, row)| keeper.is_idle(work, row));
+        let (idle, kept): (Vec<_>, Vec<_>) =
+            rows.partition(|(keeper, row)| keeper.is_idle(work, row));
+        for (_, row) in &kept {
+            let open = built.tree.links.iter().flat_map(Link::open);
+            row.label(&mut work.labels, open.map(|freedom| freedom.name.as_str()));
+        }
         Self {
             built,
             in_world,

@@ -1,5 +1,6 @@
 //! One scalar constraint.
 
+use crate::model::Labels;
 use crate::symbolic::Id;
 
 /// A constraint in the form that the equations need.
@@ -14,4 +15,19 @@ pub struct ConstraintRow {
     pub slopes: Vec<Id>,
     /// The condition under which it is not trivial, if there are branches where it is.
     pub active: Option<Id>,
+}
+
+impl ConstraintRow {
+    /// Names its parts; `coordinates` are the names of the open coordinates.
+    pub fn label<'n>(&self, labels: &mut Labels, coordinates: impl Iterator<Item = &'n str>) {
+        let name = self.name.replace('.', "_");
+        if let Some(value) = self.value {
+            labels.name(value, format!("{name}_gap"));
+        }
+        labels.name(self.rate, format!("{name}_rate"));
+        labels.name(self.bias, format!("{name}_drift"));
+        for (slope, coordinate) in self.slopes.iter().zip(coordinates) {
+            labels.name(*slope, format!("{name}_by_{coordinate}"));
+        }
+    }
 }

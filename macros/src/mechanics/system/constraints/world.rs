@@ -65,6 +65,13 @@ impl Placed {
         }
     }
 
+    /// Names the place and the motion of its origin.
+    fn label(&self, labels: &mut Labels, link: &str) {
+        labels.vector(&format!("place_{link}"), self.origin);
+        labels.vector(&format!("v_{link}"), self.velocity);
+        labels.vector(&format!("drift_{link}"), self.acceleration);
+    }
+
     /// A vector of the link, in world axes.
     pub fn to_world(&self, graph: &mut Graph, vector: Components) -> Components {
         let turned = self.turning.to_carrier(graph, vector);
@@ -169,6 +176,11 @@ pub fn place_links(
                 labels.name(id, format!("{name}_{}", link.name));
             }
         }
+        if let Some(number) = link.carrier {
+            let arm = carrier.to_world(graph, link.place);
+            labels.vector(&format!("arm_{}", tree.links[number].name), arm);
+        }
+        next.label(labels, &link.name);
         all.push(next);
     }
     all

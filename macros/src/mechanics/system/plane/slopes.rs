@@ -52,6 +52,7 @@ pub fn of_hinge(
         }
     }
     [0, 1].map(|axis| LinearRow {
+        name: format!("{}_{}", ends.closing.name, axis + 1),
         slopes: sum.columns.iter().map(|column| column[axis]).collect(),
         sizes: sum.sizes.clone(),
         right: graph.quantity(sum.right[axis]),
@@ -159,6 +160,7 @@ pub fn of_row(graph: &mut Graph, absolute: &Absolute, row: &ConstraintRow) -> Li
     let known = absolute.known(graph, &row.slopes);
     let right = graph.subtract(known, row.bias);
     LinearRow {
+        name: row.name.replace('.', "_"),
         sizes: slopes.iter().map(|one| graph.square(*one)).collect(),
         slopes,
         right: graph.quantity(right),

@@ -9,6 +9,7 @@ use super::block::{Block, Way, next_rows, numerators, solved, way};
 /// A constraint row: `sum of slopes * x = right`.
 #[derive(Clone)]
 pub struct LinearRow {
+    pub name: String,
     pub slopes: Vec<Id>,
     pub right: Id,
     /// Bounds of the squares of the slopes.
@@ -62,7 +63,23 @@ impl<'w> Balances<'w> {
             blocks: Vec::new(),
         };
         balances.drop_zeros();
+        balances.label();
         balances
+    }
+
+    /// Names the parts of balances and rows.
+    fn label(&mut self) {
+        let labels = &mut self.work.labels;
+        for (number, one) in self.all.iter().enumerate() {
+            labels.name(one.masses[number], format!("inertia_{}", one.name));
+            for (other, mass) in self.all[..number].iter().zip(&one.masses) {
+                labels.name(*mass, format!("coupling_{}_{}", other.name, one.name));
+            }
+            labels.name(one.driving, format!("driving_{}", one.name));
+        }
+        for row in &self.rows {
+            labels.name(row.right, format!("{}_to_balance", row.name));
+        }
     }
 
     /// The rows that are not solved yet.
@@ -194,7 +211,10 @@ impl<'w> Balances<'w> {
         let labels = &mut self.work.labels;
         for ((one, along), momentum) in own.iter().zip(&along).zip(&momentum) {
             let name = &self.all[*one].name;
-            labels.explain([*along], "rate of a joint by that of the independent joint");
+            // a share may be an arm, which has a meaning of its own
+            if labels.get(*along).is_none() {
+                labels.explain([*along], "rate of a joint by that of the independent joint");
+            }
             labels.explain(
                 [*momentum],
                 "load on a joint by the acceleration of the independent joint",
@@ -248,12 +268,17 @@ impl<'w> Balances<'w> {
         masses.push(inertia);
         let driving = coordinates.iter().map(|own| self.all[*own].driving);
         let driving = products(graph, driving, along);
+        let name = format!("loop_{}", self.blocks.len() + 1);
         for row in &mut self.rows {
             let sum = products(graph, at(&row.slopes, coordinates), along);
-            row.slopes.push(graph.quantity(sum));
+            let slope = graph.quantity(sum);
+            self.work
+                .labels
+                .name(slope, format!("{}_by_{name}", row.name));
+            row.slopes.push(slope);
         }
         self.open.push(true);
-        let name = format!("loop_{}", self.blocks.len() + 1);
+        self.work.labels.name(driving, format!("driving_{name}"));
         self.all.push(Balance {
             name,
             masses,
@@ -264,10 +289,11 @@ impl<'w> Balances<'w> {
 
     /// Substitutes the solved coordinates into the other balances and rows.
     fn replace(&mut self, mut block: Block) {
-        let graph = &mut self.work.graph;
+        let Workspace { graph, labels, .. } = &mut *self.work;
         let zero = graph.zero();
-        for own in &block.coordinates {
+        for (own, fixed) in block.coordinates.iter().zip(&block.fixed) {
             self.open[*own] = false;
+            labels.name(*fixed, format!("fixed_{}", self.all[*own].name));
         }
         for row in &block.rows {
             self.is_left[*row] = false;
@@ -281,6 +307,7 @@ impl<'w> Balances<'w> {
             let known = products(graph, slopes.iter().copied(), &block.fixed);
             let right = graph.subtract(row.right, known);
             row.right = graph.quantity(right);
+            labels.name(row.right, format!("{}_to_balance", row.name));
             for own in &block.coordinates {
                 row.slopes[*own] = zero;
             }

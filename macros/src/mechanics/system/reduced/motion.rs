@@ -44,7 +44,6 @@ fn finish(mut balances: Balances<'_>) -> Option<Reduced> {
     for (own, value) in open.iter().zip(&mut found) {
         values[*own] = value;
     }
-    let graph = &mut balances.work.graph;
     for block in balances.blocks.iter().rev() {
         let Some(way) = &block.way else {
             for (own, value) in block.coordinates.iter().zip(&block.fixed) {
@@ -57,8 +56,15 @@ fn finish(mut balances: Balances<'_>) -> Option<Reduced> {
         let (parts, by) = if is_alone {
             (&way.numerators, balances.all[way.coordinate].driving)
         } else {
-            (&block.fixed, values[way.coordinate])
+            let own = values[way.coordinate];
+            let name = &balances.all[way.coordinate].name;
+            balances
+                .work
+                .labels
+                .name(own, format!("acceleration_{name}"));
+            (&block.fixed, own)
         };
+        let graph = &mut balances.work.graph;
         let by = graph.quantity(by);
         for ((own, part), along) in block.coordinates.iter().zip(parts).zip(&way.along) {
             let moved = graph.multiply(by, *along);

@@ -3,7 +3,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenStream, TokenTree};
 
-use crate::errors::{Errors, silently};
+use crate::errors::{Errors, Extent, silently};
 use crate::text::to_text;
 use crate::units::is_unit;
 
@@ -119,18 +119,26 @@ pub fn component_meant(group: &Group) -> Option<char> {
 
 /// Reports parentheses behind a number, or behind other ones if they hold a unit:
 /// `9.81(m / s ^ 2)`; and a unit in braces, where these are no branch. They can be left out.
-pub fn behind_number(group: &Group, before: &[TokenTree], errors: &mut Errors) -> bool {
+pub fn behind_number(tokens: &[TokenTree], index: usize, errors: &mut Errors) -> bool {
+    let (before, rest) = tokens.split_at(index);
+    let [TokenTree::Group(group), after @ ..] = rest else {
+        return false;
+    };
     let is_parentheses = |group: &Group| group.delimiter() == Delimiter::Parenthesis;
     let is_if = |token: &TokenTree| matches!(token, TokenTree::Ident(word) if word == "if");
+    let is_in_braces = |token: &TokenTree| matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
     let mut own = before
         .iter()
         .rev()
         .take_while(|token| !is_punct(token, ','));
-    let in_braces = group.delimiter() == Delimiter::Brace && !own.any(is_if);
+    // the condition of an `if` is followed by a branch
+    let is_else = matches!(after.first(), Some(TokenTree::Ident(word)) if word == "else");
+    let mut after = after.iter().take_while(|token| !is_punct(token, ','));
+    let is_condition = !is_else && after.any(is_in_braces);
+    let in_braces = is_in_braces(&rest[0]) && (is_condition || !own.any(is_if));
     let before = before.last();
     let number = match before {
-        Some(TokenTree::Literal(number)) if in_braces => number.to_string(),
-        _ if !is_parentheses(group) => return false,
+        _ if !in_braces && !is_parentheses(group) => return false,
         Some(TokenTree::Literal(number)) => number.to_string(),
         Some(TokenTree::Group(before)) if is_parentheses(before) => "(..)".to_owned(),
         _ => return false,
@@ -142,6 +150,32 @@ pub fn behind_number(group: &Group, before: &[TokenTree], errors: &mut Errors) -
     };
     errors.push(group.span_open(), message);
     true
+}
+
+/// Reports a unit in angle brackets, `1<kg>`. Returns the number of its tokens.
+pub fn in_angles(
+    before: Option<&TokenTree>,
+    tokens: &[TokenTree],
+    errors: &mut Errors,
+) -> Option<usize> {
+    let Some(TokenTree::Literal(number)) = before else {
+        return None;
+    };
+    let [less, inner @ ..] = tokens else {
+        return None;
+    };
+    let length = inner.iter().position(|token| is_punct(token, '>'))?;
+    let unit = Group::new(
+        Delimiter::Bracket,
+        inner[..length].iter().cloned().collect(),
+    );
+    let unit = written_unit(&unit).filter(|unit| is_punct(less, '<') && !unit.is_empty())?;
+    let place = Extent::from(less.span()).to(inner[length].span().into());
+    errors.push(
+        place,
+        format!("a unit stands in square brackets: write `{number}[{unit}]`"),
+    );
+    Some(length + 2)
 }
 
 /// The unit in a group, as it should be written.

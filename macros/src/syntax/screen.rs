@@ -10,7 +10,7 @@ use crate::errors::{Errors, Extent};
 
 use super::bare_unit::{BareUnit, lacks_brackets, meant_instead};
 use super::brackets::{
-    behind_number, component_meant, ends_operand, is_list, is_record, is_second_operand,
+    behind_number, component_meant, ends_operand, in_angles, is_list, is_record, is_second_operand,
     is_value_in_brackets, meant,
 };
 use super::nesting::{DEPTH, Nested, crossed_limit, too_deep};
@@ -71,9 +71,7 @@ impl Screen<'_> {
                 break;
             }
             let read = match token {
-                TokenTree::Group(group) if behind_number(group, &tokens[..index], self.errors) => {
-                    Some(1)
-                }
+                TokenTree::Group(_) if behind_number(&tokens, index, self.errors) => Some(1),
                 TokenTree::Group(group) => {
                     let group = &meant(group, &tokens, index, self.errors);
                     shown.push(self.group(group, before, depth + nested.depth(), function));
@@ -96,12 +94,15 @@ impl Screen<'_> {
                     shown.push(token.clone());
                 }),
                 TokenTree::Punct(_) => {
-                    let read = match argument_name(&tokens, index, function) {
-                        Some(name) => self.named_argument(name, token),
-                        None => self.sign(&tokens[index..]),
-                    };
-                    shown.extend(tokens[index..index + read.unwrap_or(0)].iter().cloned());
-                    read
+                    let of_unit = in_angles(before, &tokens[index..], self.errors);
+                    of_unit.or_else(|| {
+                        let read = match argument_name(&tokens, index, function) {
+                            Some(name) => self.named_argument(name, token),
+                            None => self.sign(&tokens[index..]),
+                        };
+                        shown.extend(tokens[index..index + read.unwrap_or(0)].iter().cloned());
+                        read
+                    })
                 }
             };
             index += match read {

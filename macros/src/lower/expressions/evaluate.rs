@@ -7,7 +7,7 @@ use crate::syntax::{Expression, Kind, UnitExpression};
 
 use super::lowering::{AXES, Lowering, UNKNOWN, dimension};
 use super::scope::Value;
-use super::unit::lower_unit;
+use super::unit::{lower_unit, unquoted};
 
 const CHARGES: &str = "a list of charges stands behind a field: `field.on([q.at(P)])`";
 
@@ -23,7 +23,7 @@ impl Lowering<'_> {
             Kind::Name(name) => self.name(name, Dimension::ANY),
             Kind::Poisoned => None,
             Kind::Placeholder => self.report(extent, UNKNOWN),
-            Kind::Text(_) => self.report(extent, "expected a number"),
+            Kind::Text(text) => self.report(extent, unquoted(text)),
             Kind::Tuple(_) => self.report(extent, AXES),
             Kind::List(_) => self.report(extent, CHARGES),
             Kind::Unit(operand, unit) => self.unit(operand, unit),

@@ -201,3 +201,20 @@ fn look_up(word: &str) -> Option<(Number, Dimension)> {
             .find_map(|(prefix, power)| metric(word.strip_prefix(prefix)?, *power))
     })
 }
+
+/// What a value in quotes should be.
+pub fn unquoted(text: &str) -> String {
+    let is_number = |digits: &str| {
+        let digits = digits.trim_start_matches('-');
+        digits.starts_with(|first: char| first.is_ascii_digit()) && digits.parse::<f64>().is_ok()
+    };
+    let mut ends = text.char_indices().map(|(end, last)| end + last.len_utf8());
+    let Some(end) = ends.rfind(|end| is_number(text[..*end].trim())) else {
+        return "a value has no quotes".to_owned();
+    };
+    let (digits, unit) = (text[..end].trim(), text[end..].trim());
+    if unit.is_empty() {
+        return format!("a number has no quotes: write `{digits}`");
+    }
+    format!("a number has no quotes, and its unit stands in brackets: write `{digits}[{unit}]`")
+}

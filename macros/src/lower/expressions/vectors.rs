@@ -6,6 +6,7 @@ use crate::errors::{hint, vector_method_meant};
 use crate::model::{Attitude, Dimension, Frame, Point, Vector};
 use crate::symbolic::{Components, Function, Id};
 use crate::syntax::{Expression, Kind};
+use crate::units::is_unit;
 
 use super::along_axis::UNTURNED;
 use super::functions::{VECTOR_METHODS, is_function};
@@ -249,6 +250,8 @@ impl Lowering<'_> {
                             .to_owned()
                     } else if is_method {
                         format!("parentheses are missing: write `.{word}()`")
+                    } else if is_unit(word) {
+                        format!("a unit stands in brackets: write `[{word}]`")
                     } else {
                         format!("{} has no field `{word}`", other.kind())
                     },

@@ -64,12 +64,12 @@ macro_rules! diver {
     };
 }
 diver!(Diver [] 3[kg], 1.5[kg], 0.75[kg], 0.0015[kg * m ^ 2]);
-// of a parameter, the sign is not known
-diver!(Unknown [of_hull[kg], of_across[kg], of_lower[kg], of_hand[kg * m ^ 2]]
+// nothing is claimed if more inertia is taken away by default than there is
+diver!(Unknown [of_hull = -30[kg], of_across = 0[kg], of_lower[kg], of_hand[kg * m ^ 2]]
     of_hull, of_across, of_lower, of_hand);
-// an absolute value has a sign
-diver!(Known [of_hull[kg], of_across[kg], of_lower[kg], of_hand[kg * m ^ 2]]
-    of_hull.abs(), of_across.abs(), of_lower.abs(), of_hand.abs());
+// the sign of parameters is checked by `new`
+diver!(Checked [of_hull[kg], of_across[kg], of_lower[kg], of_hand[kg * m ^ 2]]
+    of_hull, of_across, of_lower, of_hand);
 diver!(Dry [] 0[kg], 0[kg], 0[kg], 0[kg * m ^ 2]);
 
 /// The same state of four types.
@@ -109,9 +109,9 @@ fn what_is_solved_with_added_inertia_is_right() {
         of_hand: 0.0015,
     })
     .unwrap();
-    let known = Known::new(KnownParams {
+    let checked = Checked::new(CheckedParams {
         of_hull: 3.0,
-        of_across: -1.5,
+        of_across: 1.5,
         of_lower: 0.75,
         of_hand: 0.0015,
     })
@@ -134,10 +134,10 @@ fn what_is_solved_with_added_inertia_is_right() {
                 third,
             },
         );
-        let by_value = known.acceleration(
+        let by_value = checked.acceleration(
             0.0,
-            &in_state!(state, KnownState),
-            &KnownInput {
+            &in_state!(state, CheckedState),
+            &CheckedInput {
                 first,
                 second,
                 third,
@@ -188,12 +188,48 @@ fn what_is_solved_with_added_inertia_is_right() {
 /// The equations of the dry diver take as many operations, with a quarter to a half more.
 #[test]
 fn added_inertia_costs_little() {
-    let costs = [Dry::OPERATIONS, Diver::OPERATIONS, Known::OPERATIONS]
+    let costs = [Dry::OPERATIONS, Diver::OPERATIONS, Checked::OPERATIONS]
         .map(|of| ["acceleration", "linearize"].map(|function| cost(of, function)));
     let bounds = [[511, 3595], [652, 5241], [765, 5423]];
     for (costs, bounds) in costs.into_iter().zip(bounds) {
         assert!(costs[0] <= bounds[0] && costs[1] <= bounds[1], "{costs:?}");
     }
+}
+
+/// Added mass may be negative, down to the mass of the body; beyond, `new` says so.
+#[test]
+fn parameters_that_take_inertia_away_are_errors() {
+    let with = |of_hull: f64, of_hand: f64| {
+        Checked::new(CheckedParams {
+            of_hull,
+            of_across: 0.1,
+            of_lower: 0.0,
+            of_hand,
+        })
+    };
+    assert!(with(-10.0, 0.0).is_ok());
+    for (of_hull, of_hand, said) in [
+        (
+            -12.5,
+            0.0,
+            "the inertia with added mass of `hull` cannot be -0.5",
+        ),
+        (
+            1.0,
+            -1.0,
+            "the inertia with added mass of `hand` cannot be -0.999",
+        ),
+    ] {
+        let error = with(of_hull, of_hand).expect_err("an error").to_string();
+        assert_eq!(error, said);
+    }
+    assert!(with(f64::NAN, 0.0).is_err());
+    let error = Cart::new(CartParams {
+        amount: -1.0,
+        ..CartParams::default()
+    });
+    let said = error.expect_err("an error").to_string();
+    assert_eq!(said, "the added mass of `float` cannot be -0.2");
 }
 
 rigid_system!(Bubble {
@@ -383,9 +419,9 @@ fn loads_that_are_no_inertia_are_right_too() {
 /// A cart on a plane with a hinge, and a float along it: squared lengths of columns that depend on
 /// params have values with long fractions, and what cancels in them is not proved to be zero.
 macro_rules! cart {
-    ($name:ident $amount:expr) => {
+    ($name:ident $default:expr) => {
         rigid_system!($name {
-            params: [m0 = 1.2[kg], amount = 1.0],
+            params: [m0 = 1.2[kg], amount = $default],
             bodies: [
                 cart {
                     mass: 1.91[kg],
@@ -395,11 +431,9 @@ macro_rules! cart {
                 float {
                     mass: 0.586[kg],
                     points: [p = (0.25, 0, 0)],
-                    forces: [added = (-$amount
-                        * 0.2[kg]
-                        * world(1, 2, 2)
-                        * p.acceleration().dot(world(1, 2, 2)))
-                    .at(p)],
+                    forces: [added =
+                        (-amount * 0.2[kg] * body(1, 2, 2) * p.acceleration().dot(body(1, 2, 2)))
+                            .at(p)],
                 },
                 rotor {
                     mass: 2.88[kg],
@@ -424,13 +458,18 @@ macro_rules! cart {
         });
     };
 }
-cart!(Cart amount.abs());
-cart!(AnyCart amount);
+cart!(Cart 1.0);
+// nothing is claimed if inertia is taken away by default
+cart!(AnyCart - 50.0);
 
 #[test]
 fn what_cancels_in_defaults_is_no_error() {
     let mut random = Random(34);
-    let (proved, any) = (Cart::default(), AnyCart::default());
+    let params = AnyCartParams {
+        amount: 1.0,
+        ..AnyCartParams::default()
+    };
+    let (one, any) = (Cart::default(), AnyCart::new(params).unwrap());
     for _ in 0..20 {
         let mut state = CartState::default();
         state.slides.angle = random.next();
@@ -445,11 +484,13 @@ fn what_cancels_in_defaults_is_no_error() {
             floats: state.floats,
             turns: state.turns,
         };
-        let expected = proved.acceleration(0.3, &state, &());
+        let expected = one.acceleration(0.3, &state, &());
         let found = any.acceleration(0.3, &same, &());
         assert!((found.slides.linear - expected.slides.linear).amax() < 1e-13);
         assert!((found.slides.angular - expected.slides.angular).abs() < 1e-13);
         assert!((found.floats - expected.floats).amax() < 1e-13);
         assert!((found.turns - expected.turns).abs() < 1e-13);
     }
+    let costs = [Cart::OPERATIONS, AnyCart::OPERATIONS].map(|of| cost(of, "acceleration"));
+    assert!(costs[0] < costs[1], "{costs:?}");
 }

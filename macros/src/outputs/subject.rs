@@ -37,7 +37,7 @@ pub trait Subject: Tangent + Sized + 'static {
     /// The mass and inertia of its bodies.
     fn substances(&self) -> Vec<Substance>;
 
-    /// The properties of its links and cables.
+    /// The properties of its links and cables, and the inertia of its bodies with added mass.
     fn properties(&self) -> &[Property];
 
     fn defaults(&self) -> &Defaults;
@@ -221,8 +221,9 @@ impl Subject for System {
 
     fn derive(self, work: &mut Workspace, errors: &mut Errors) -> Option<(Self, SystemEquations)> {
         check_followers(&self, work, errors)?;
-        let system = with_system_potentials(self, work);
+        let mut system = with_system_potentials(self, work);
         let equations = derive_system(&system, work);
+        system.properties.extend(equations.conditions());
         equations.check(&system, work, errors)?;
         Some((system, equations))
     }

@@ -54,8 +54,8 @@ pub fn check_planar_inertia<T: Scalar>(value: T) -> Result<(), Impossible> {
     }
 }
 
-/// Checks a property of a link or a cable, given its name and the word for it: finite and positive,
-/// or zero where that is permitted.
+/// Checks a property of a link or a cable, or an inertia with what loads add, given the name of what it
+/// belongs to and the word for it: finite and positive, or zero where that is permitted.
 ///
 /// # Errors
 /// [`InvalidBody::Property`].

@@ -18,7 +18,7 @@ pub struct Roots {
     pub switches: Vec<Id>,
     /// The entries of a tensor whose principal axes a body of doubles stores.
     pub tensor: Option<[Id; 6]>,
-    /// The properties of links and cables.
+    /// The properties of links and cables, and the inertia of bodies with added mass.
     pub properties: Vec<Property>,
 }
 

@@ -5,12 +5,18 @@
 //! W(a) = W(0) - C a,    C constant, C >= 0:    M q'' = f(q'')  ->  (M + sum of J^T C J) q'' = f(0)
 //! ```
 //!
-//! So the matrix that is solved with is positive, like M by itself.
+//! So the matrix that is solved with is positive, like M by itself. If the sign of C is that of
+//! parameters, `new` checks that each body has a positive inertia together with what its loads add.
+
+use proc_macro2::{Ident, Span};
 
 use crate::mechanics::tree::link::{Freedom, Tree};
-use crate::mechanics::tree::{Built, LinkMotion, SpatialInertia, SpatialVector, motions, wrench};
-use crate::model::{Felt, Labels, Load, Member, System, TreeJoint, Workspace};
-use crate::symbolic::{Components, Graph, Id, Number};
+use crate::mechanics::tree::{Built, motions};
+use crate::model::{Labels, Property, System, TreeJoint, Workspace};
+use crate::symbolic::{Id, Number};
+
+use super::added_to_link::AddedToLink;
+use super::definite::{is_by_default, is_known_sign};
 
 /// The inertia that all loads together add.
 #[derive(Default)]
@@ -21,15 +27,8 @@ pub struct Added {
     armatures: Vec<Id>,
     /// The symbols of the accelerations of open freedoms, link by link.
     symbols: Vec<Vec<Id>>,
-}
-
-/// The inertia that the loads on a link add, in its axes.
-struct AddedToLink {
-    about_center: SpatialInertia,
-    /// From the origin of the link to G.
-    center: Components,
-    /// The loads of a link that does not accelerate, about G.
-    rest: SpatialVector,
+    /// What `new` checks for the parameters.
+    pub conditions: Vec<Property>,
 }
 
 impl Added {
@@ -42,19 +41,35 @@ impl Added {
         let symbols = open.flat_map(TreeJoint::accelerations);
         let symbols: Vec<Vec<Id>> = built.tree.by_link(symbols);
         let masses: Vec<Id> = system.bodies.iter().map(|body| body.mass).collect();
+        let known = (&masses[..], &system.defaults);
+        let mut properties = Vec::new();
         let mut links: Vec<Option<AddedToLink>> = Vec::new();
         links.resize_with(built.tree.links.len(), || None);
         for (number, (body, joint)) in system.bodies.iter().zip(&system.joints).enumerate() {
             if body.loads.iter().any(|load| load.follows(work)) {
                 let felt = body.felt.as_ref()?;
-                let added = AddedToLink::of(work, (body, felt), joint.pin, &masses)?;
+                let added = AddedToLink::of(work, (body, felt), joint.pin, known)?;
+                properties.extend(added.conditions.clone());
                 links[built.body(number)] = Some(added);
             }
         }
         let mut armatures = Vec::new();
         for (link, symbols) in built.tree.links.iter().zip(&symbols) {
             for (freedom, symbol) in link.open().zip(symbols) {
-                let armature = armature(work, freedom, *symbol, &masses)?;
+                let armature = armature(work, freedom, *symbol)?;
+                if !is_known_sign(&work.graph, armature, &masses) {
+                    let value = work.graph.add(freedom.armature, armature);
+                    let is_possible = |number: &Number| !number.is_negative();
+                    if !is_by_default(&mut work.graph, &[value], &system.defaults, is_possible) {
+                        return None;
+                    }
+                    properties.push(Property {
+                        of: Ident::new(&freedom.name, Span::call_site()),
+                        word: "armature with its drive",
+                        value,
+                        may_vanish: true,
+                    });
+                }
                 // the coordinates of a free link are along world axes
                 if link.is_free && !work.graph.is_zero(armature) {
                     return None;
@@ -66,6 +81,7 @@ impl Added {
             links,
             armatures,
             symbols,
+            conditions: properties,
         })
     }
 
@@ -156,76 +172,6 @@ impl Added {
     }
 }
 
-impl AddedToLink {
-    fn of(
-        work: &mut Workspace,
-        (body, felt): (&Member, &Felt),
-        pin: Components,
-        masses: &[Id],
-    ) -> Option<Self> {
-        let (follow, known): (Vec<&Load>, Vec<&Load>) =
-            body.loads.iter().partition(|load| load.follows(work));
-        let names = follow.iter().map(|load| &load.name);
-        let all: Vec<&Load> = known.into_iter().chain(&felt.loads).collect();
-        // no load was added later, or depends on the acceleration of anything else
-        if !names.eq(felt.loads.iter().map(|load| &load.name))
-            || all.iter().any(|load| load.follows(work))
-        {
-            return None;
-        }
-        let zeros = work.graph.zeros();
-        let (force, moment) = wrench(work, body, all.iter().copied(), zeros);
-        // a step of an acceleration has no slope
-        let symbols = felt.acceleration.concat();
-        if !work.graph.is_linear(&[force, moment].concat(), &symbols) {
-            return None;
-        }
-        let columns = columns(work, (body, felt), &all, zeros);
-        let is_constant = columns
-            .iter()
-            .flatten()
-            .all(|one| work.graph.is_early(*one));
-        let mut each = felt.loads.iter();
-        let is_inertia = is_semidefinite(&mut work.graph, &columns, masses)
-            || each.all(|load| resists(work, (body, felt), load, masses));
-        if !is_constant || !is_inertia {
-            return None;
-        }
-        let block = |row: usize, column: usize| {
-            [0, 1, 2].map(|i| [0, 1, 2].map(|j| columns[3 * column + j][3 * row + i]))
-        };
-        let (graph, zero) = (&mut work.graph, zeros[0]);
-        let still: Vec<(Id, Id)> = symbols.iter().map(|symbol| (*symbol, zero)).collect();
-        Some(Self {
-            about_center: SpatialInertia {
-                angular: block(0, 0),
-                mixed: block(0, 1),
-                linear: block(1, 1),
-            },
-            center: graph.negate_vector(pin),
-            rest: SpatialVector {
-                angular: graph.replaced(moment, &still),
-                linear: graph.replaced(force, &still),
-            },
-        })
-    }
-
-    /// The loads on the link about its origin, in this motion.
-    fn load(&self, graph: &mut Graph, motion: &LinkMotion) -> SpatialVector {
-        let acceleration = SpatialVector {
-            linear: motion.at(graph, self.center),
-            ..motion.acceleration
-        };
-        let taken = self.about_center.times(graph, &acceleration);
-        let load = self.rest.minus(graph, taken);
-        let lever = graph.cross(self.center, load.linear);
-        SpatialVector {
-            angular: graph.add_vectors(load.angular, lever),
-            ..load
-        }
-    }
-}
-
 /// The open freedoms of a tree, link by link.
 fn open(tree: &mut Tree) -> impl Iterator<Item = &mut Freedom> {
     let freedoms = tree.links.iter_mut().flat_map(|link| &mut link.freedoms);
@@ -240,51 +186,9 @@ fn follows(system: &System, work: &Workspace) -> bool {
     loads.any(|load| load.follows(work)) || !work.accelerations_in(&drives).is_empty()
 }
 
-/// Whether a load by itself adds an inertia, about G or about the point where it acts.
-fn resists(
-    work: &mut Workspace,
-    (body, felt): (&Member, &Felt),
-    load: &Load,
-    masses: &[Id],
-) -> bool {
-    let points = [Some(work.graph.zeros()), load.point.offset(body.state.body)];
-    points.into_iter().flatten().any(|point| {
-        let columns = columns(work, (body, felt), &[load], point);
-        is_semidefinite(&mut work.graph, &columns, masses)
-    })
-}
-
-/// The inertia that loads on a body add, about a point at this offset from G, column by column:
-/// minus the moment and the force by each component of the angular and the linear acceleration.
-fn columns(
-    work: &mut Workspace,
-    (body, felt): (&Member, &Felt),
-    loads: &[&Load],
-    point: Components,
-) -> Vec<Vec<Id>> {
-    let (force, moment) = wrench(work, body, loads.iter().copied(), point);
-    let graph = &mut work.graph;
-    let [angular, linear] = felt.acceleration;
-    // the acceleration of G, from that of the point
-    let swept = graph.cross(angular, point);
-    let of_center = graph.subtract_vectors(linear, swept);
-    let given: Vec<(Id, Id)> = linear.into_iter().zip(of_center).collect();
-    let parts = [moment, force]
-        .map(|part| graph.replaced(part, &given))
-        .concat();
-    let one = graph.one();
-    // in the plane, some components are zero
-    let columns = felt.acceleration.concat().into_iter().map(|symbol| {
-        let is_there = !graph.is_zero(symbol);
-        let slopes = graph.change(&parts, |id| (is_there && id == symbol).then_some(one));
-        let slopes = slopes.into_iter();
-        slopes.map(|slope| graph.negate(slope)).collect()
-    });
-    columns.collect()
-}
-
-/// The inertia along a coordinate that its drive adds.
-fn armature(work: &mut Workspace, freedom: &Freedom, symbol: Id, masses: &[Id]) -> Option<Id> {
+/// The inertia along a coordinate that its drive adds. `None` if it is not constant, or not all that
+/// the drive does with accelerations.
+fn armature(work: &mut Workspace, freedom: &Freedom, symbol: Id) -> Option<Id> {
     let mut others = work.accelerations_in(&[freedom.drive]);
     others.retain(|other| *other != symbol);
     let graph = &mut work.graph;
@@ -292,62 +196,6 @@ fn armature(work: &mut Workspace, freedom: &Freedom, symbol: Id, masses: &[Id]) 
         return None;
     };
     let added = graph.negate(slope);
-    (others.is_empty() && is_known_sign(graph, added, masses)).then_some(added)
-}
-
-/// Whether a constant matrix is proved to be symmetric and to have no negative eigenvalue. Entries on
-/// the diagonal with nothing beside them must not be negative; the others must be numbers times a
-/// factor that is not.
-fn is_semidefinite(graph: &mut Graph, columns: &[Vec<Id>], masses: &[Id]) -> bool {
-    let count = columns.len();
-    let is_symmetric = (0..count).all(|i| (0..i).all(|j| columns[i][j] == columns[j][i]));
-    let is_coupled = |own: usize| (0..count).any(|j| j != own && !graph.is_zero(columns[j][own]));
-    let (coupled, apart): (Vec<usize>, Vec<usize>) = (0..count).partition(|own| is_coupled(*own));
-    let mut diagonal = coupled.iter().map(|own| columns[*own][*own]);
-    let factor = diagonal.find(|entry| !graph.is_zero(*entry));
-    let mut signs = apart.iter().map(|own| columns[*own][*own]).chain(factor);
-    if !is_symmetric || !signs.all(|entry| is_known_sign(graph, entry, masses)) {
-        return false;
-    }
-    let Some(factor) = factor else {
-        return coupled.is_empty();
-    };
-    let mut rows = Vec::new();
-    for row in &coupled {
-        let ratios = coupled.iter().map(|column| {
-            let ratio = graph.divide(columns[*column][*row], factor);
-            graph.as_number(ratio).cloned()
-        });
-        match ratios.collect::<Option<Vec<Number>>>() {
-            Some(row) => rows.push(row),
-            None => return false,
-        }
-    }
-    is_semidefinite_in_numbers(rows)
-}
-
-fn is_known_sign(graph: &Graph, entry: Id, masses: &[Id]) -> bool {
-    graph.is_early(entry) && graph.is_never_negative(entry, masses)
-}
-
-/// The same for a symmetric matrix of numbers, by elimination of its last row.
-fn is_semidefinite_in_numbers(mut rows: Vec<Vec<Number>>) -> bool {
-    while let Some(own) = rows.pop() {
-        let Some((pivot, beside)) = own.split_last() else {
-            return true;
-        };
-        let is_alone = beside.iter().all(Number::is_zero);
-        if pivot.is_negative() || pivot.is_undecided() || pivot.is_zero() && !is_alone {
-            return false;
-        }
-        for (row, factor) in rows.iter_mut().zip(beside) {
-            row.pop();
-            for (entry, other) in row.iter_mut().zip(beside) {
-                if let Some(share) = (factor.clone() * other.clone()).checked_div(pivot) {
-                    *entry = entry.clone() - share;
-                }
-            }
-        }
-    }
-    true
+    let is_all = others.is_empty() && graph.is_linear(&[freedom.drive], &[symbol]);
+    (is_all && graph.is_early(added)).then_some(added)
 }

@@ -1,6 +1,8 @@
 //! Loads that depend on unknowns that are solved for: accelerations, and the loads of constraints.
 
 mod added;
+mod added_to_link;
+mod definite;
 mod linear;
 mod settled;
 

@@ -7,7 +7,7 @@ use crate::mechanics::following::{Added, takes_inertia, unknowns_in};
 use crate::mechanics::report::list_laws_of_system;
 use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree::{self, Built, SolvedTree};
-use crate::model::{Own, System, Tie, TreeJoint, Workspace};
+use crate::model::{Own, Property, System, Tie, TreeJoint, Workspace};
 use crate::symbolic::Id;
 
 use super::closed::{Closed, Coordinates, check_kept, close};
@@ -123,6 +123,12 @@ impl SystemEquations {
     /// The tree with all loads on its links, also those of constraints.
     pub(super) fn loaded(&self) -> &Tree {
         &self.loaded
+    }
+
+    /// What `new` checks so that loads add inertia.
+    pub fn conditions(&self) -> Vec<Property> {
+        let added = self.added.as_ref();
+        added.map_or(Vec::new(), |added| added.conditions.clone())
     }
 
     /// A form of the tree with the inertia that loads add, if this is all that they do with

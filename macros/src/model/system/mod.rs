@@ -36,7 +36,7 @@ pub struct System {
     pub cables: Vec<Tie>,
     /// Massless links, which are also written constraints.
     pub links: Vec<Tie>,
-    /// The properties of links and cables.
+    /// The properties of links and cables, and the inertia of bodies with added mass.
     pub properties: Vec<Property>,
     /// User-defined states.
     pub states: Vec<Own>,
@@ -128,10 +128,11 @@ pub struct Tie {
     pub bodies: [Option<Ident>; 2],
 }
 
-/// A property of a link or a cable: finite and not negative.
+/// A property that is finite and not negative: of a link or a cable, or the inertia of a body with
+/// added mass.
 #[derive(Clone)]
 pub struct Property {
-    /// The link or cable that it belongs to.
+    /// What it belongs to.
     pub of: Ident,
     pub word: &'static str,
     pub value: Id,

@@ -34,14 +34,14 @@ pub enum InvalidBody {
         /// The given value \[kg m²\].
         value: f64,
     },
-    /// The length of a link is not a positive finite number, or a property of a cable is negative
-    /// or not finite.
+    /// The length of a link is not a positive finite number, a property of a cable is negative or not
+    /// finite, or loads that resist accelerations take away more inertia than there is.
     Property {
-        /// The name of the link or the cable.
+        /// The name of the link or the cable, or of the body or the joint whose inertia is taken away.
         of: &'static str,
-        /// `length` or `stiffness`.
+        /// `length`, `stiffness`, `inertia with added mass`, `added mass` or `armature with its drive`.
         property: &'static str,
-        /// The given value \[m or N/m\].
+        /// The given value \[m, N/m, kg or kg m²\].
         value: f64,
     },
     /// No body that can rotate has this inertia tensor.

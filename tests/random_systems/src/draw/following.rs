@@ -21,7 +21,14 @@ impl Drawing {
             (format!("{point}.acceleration()"), format!(".at({point})"))
         };
         self.following += 1;
-        let k_word = literal(k);
+        let unit = if which == 2 { "kg * m ^ 2" } else { "kg" };
+        // what else is drawn does not depend on it
+        let is_param = self.numbers.params > 0 && self.numbers.rng.clone().bool();
+        let k_word = if is_param {
+            self.numbers.param(k, unit)
+        } else {
+            format!("{}[{unit}]", literal(k))
+        };
         let parts = if axis == 0 { ["1", "0"] } else { ["0", "1"] };
         let frame = if which == 3 { "world" } else { "body" };
         let along = format!(
@@ -33,13 +40,13 @@ impl Drawing {
         match which {
             0 => keys
                 .forces
-                .push(format!("added = (-{k_word}[kg] * {follows}){at}")),
+                .push(format!("added = (-{k_word} * {follows}){at}")),
             1 | 3 => keys.forces.push(format!(
-                "added = (-{k_word}[kg] * {along} * {follows}.dot({along})){at}"
+                "added = (-{k_word} * {along} * {follows}.dot({along})){at}"
             )),
-            _ => keys.moments.push(format!(
-                "added = -{k_word}[kg * m ^ 2] * angular_acceleration"
-            )),
+            _ => keys
+                .moments
+                .push(format!("added = -{k_word} * angular_acceleration")),
         }
         let all = self.alike_as(body);
         self.act(

@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::emit::code::{COMMON, Method, Site, Values, Writer, local};
+use crate::emit::code::{COMMON, Method, Site, Source, Values, Writer, local};
 use crate::emit::items::Addition;
 use crate::mechanics::{Consistency, Reach};
 use crate::model::Outline;
@@ -162,7 +162,7 @@ fn write_rows(writer: &Writer<'_>, kept: &Kept) -> Method {
     };
     let outputs: Vec<Id> = constraints.iter().flat_map(values).collect();
     let private = &shapes.private;
-    Method::write(writer, &outputs, |values| {
+    let mut rows = Method::write(writer, &outputs, |values| {
         let list = constraints.iter().map(|constraint| {
             let (name, follows) = (&constraint.name, constraint.follows);
             let position = optional(constraint.position.map(|_| pair(values)));
@@ -187,7 +187,10 @@ fn write_rows(writer: &Writer<'_>, kept: &Kept) -> Method {
             }
         });
         quote!([#(#list),*])
-    })
+    });
+    // a displacement begins at the state
+    rows.facts.reads.push(Source::State);
+    rows
 }
 
 fn optional(value: Option<TokenStream>) -> TokenStream {

@@ -43,8 +43,8 @@ pub trait Constrained: RigidBody {
         input: &Self::Input,
     ) -> Result<(), Inconsistent>;
 
-    /// Moves the state to the nearest one that satisfies its constraints, in positions and in
-    /// velocities, to rounding.
+    /// Moves the state to one that satisfies its constraints, in positions and in velocities, to
+    /// rounding: the nearest, to first order in the violation.
     ///
     /// # Errors
     /// [`Inconsistent`] with the worst constraint that cannot be satisfied from here; the state is

@@ -192,15 +192,16 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
             Pace::Full | Pace::Velocity => 0.0,
         };
         let factors = solve(&system, values, damping);
-        let moved = |share: f64| {
-            let mut state = state.clone();
-            for (row, factor) in system.iter().zip(factors) {
-                if factor != 0.0 {
-                    state = state.moved(&(direction(row) * (-share * factor)));
-                }
-            }
-            state
+        // one displacement: rotations one after another would depend on the order of the rows
+        let parts = system
+            .iter()
+            .zip(factors)
+            .filter(|(_, factor)| *factor != 0.0);
+        let parts = parts.map(|(row, factor)| direction(row) * -factor);
+        let Some(correction) = parts.reduce(|sum, part| sum + part) else {
+            continue;
         };
+        let moved = |share: f64| state.moved(&(correction * share));
         let mut next = moved(1.0);
         if pace == Pace::Damped && worst.0 > Inconsistent::TOLERANCE {
             let off = |state: &S| {

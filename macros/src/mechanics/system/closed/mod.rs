@@ -28,4 +28,4 @@ pub use inverse::solve_drives;
 pub use known::moved_in_world;
 pub use release::{component, release};
 pub use solve::{Closed, close};
-pub use unsettled::{Spare, check_kept};
+pub use unsettled::{Spare, check_closed, check_kept};

@@ -8,6 +8,7 @@ use crate::mechanics::tree::{Built, Properties};
 use crate::model::{System, Workspace};
 use crate::symbolic::{Components, Elimination, Equation, Graph, Id};
 
+use super::super::constraints::ConstraintRow;
 use super::known::{Keeper, Known};
 
 /// Which loads the equations do not determine, by the index of what they belong to.
@@ -151,6 +152,41 @@ pub fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
         Some((row(&one.column)?, others))
     });
     open.collect()
+}
+
+/// Reports joints that close loops which no motion can close, because other joints hold both of their
+/// ends.
+pub fn check_closed(
+    system: &System,
+    work: &Workspace,
+    kept: &[(Keeper, ConstraintRow)],
+    errors: &mut Errors,
+) -> Option<()> {
+    let mut apart: Vec<usize> = Vec::new();
+    for (keeper, row) in kept {
+        let Some((number, _)) = keeper.joint_part(&work.graph) else {
+            continue;
+        };
+        let mut moves = row.slopes.iter().chain([&row.rate, &row.bias]);
+        let is_still = moves.all(|part| work.graph.vanishes(*part));
+        let is_told = |value: Id| match work.graph.as_number(value) {
+            Some(number) => !number.is_undecided(),
+            None => work.graph.is_early(value),
+        };
+        if is_still && row.value.is_some_and(is_told) && !apart.contains(&number) {
+            apart.push(number);
+        }
+    }
+    for number in &apart {
+        let joint = &system.closings[*number];
+        let message = format!(
+            "no motion closes `{0}`: other joints hold both of its ends, and not in the same place or direction; \
+             move one of its points, or leave `{0}` out",
+            joint.name
+        );
+        errors.push(joint.written, message);
+    }
+    apart.is_empty().then_some(())
 }
 
 /// Reports written constraints that are trivial or redundant; `followed` are the symbols of loads

@@ -226,3 +226,14 @@ rigid_body!(Hanging {
     reactions: [held = world(_, _).at(pin)],
     outputs: [reactions],
 });
+
+rigid_body!(Named {
+    motion: translation,
+    inputs: [u],
+    mass: 2,
+    locals: [speed = velocity.norm(), k = u * u + 1],
+    forces: [
+        none = (speed - velocity.norm()) * world(0, 0, 1),
+        constant = (u * u + 1 - k).exp() * world(0, 0, 1),
+    ],
+});

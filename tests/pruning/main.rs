@@ -39,6 +39,12 @@ fn numbers_of_loads() {
     assert_eq!(total(four, "acceleration"), total(one, "acceleration"));
 }
 
+/// What locals name is the same as what is written again.
+#[test]
+fn differences_of_named_values() {
+    assert_eq!(total(bodies::Named::OPERATIONS, "acceleration"), 0);
+}
+
 /// The reactions of a pendulum, with the acceleration that they need.
 #[test]
 fn reactions_of_a_pendulum() {

@@ -2,7 +2,7 @@
 
 use crate::errors::Extent;
 use crate::model::Dimension;
-use crate::symbolic::{Id, Number};
+use crate::symbolic::{Components, Graph, Id, Number};
 use crate::syntax::{Expression, Kind, UnitExpression};
 
 use super::lowering::{AXES, Lowering, UNKNOWN, dimension};
@@ -51,6 +51,7 @@ impl Lowering<'_> {
             ),
             Kind::If(parts) => self.choice(parts),
         }?;
+        let value = self.by_name(value);
         let undefined = |id: &Id| self.work.graph.is_undefined(*id);
         let is_undefined = match &value {
             Value::Scalar(id, _) | Value::Condition(id) => undefined(id),
@@ -65,6 +66,25 @@ impl Lowering<'_> {
             );
         }
         Some(value)
+    }
+
+    /// The value, by the quantities that parts of it are already: what is computed twice is the same,
+    /// and so its difference is zero.
+    fn by_name(&mut self, value: Value) -> Value {
+        let graph = &mut self.work.graph;
+        match value {
+            Value::Scalar(id, dimension) => Value::Scalar(graph.known_quantity(id), dimension),
+            Value::Components(frame, components, dimension) => {
+                let named = components.map(|id| graph.known_quantity(id));
+                Value::Components(frame, named, dimension)
+            }
+            Value::Vector(vector, dimension) => {
+                let named =
+                    |graph: &mut Graph, part: Components| part.map(|id| graph.known_quantity(id));
+                Value::Vector(self.work.map(vector, named), dimension)
+            }
+            other => other,
+        }
     }
 
     /// Reports further errors in expressions that are not used because of an error around them. A

@@ -147,6 +147,17 @@ impl Graph {
         self.find(&Node::Quantity(a))
     }
 
+    /// The statement that `a` is, except for its sign, or `a` if there is none.
+    pub fn known_quantity(&mut self, a: Id) -> Id {
+        match *self.node(a) {
+            Node::Negate(inner) => match self.quantity_of(inner) {
+                Some(known) => self.negate(known),
+                None => a,
+            },
+            _ => self.quantity_of(a).unwrap_or(a),
+        }
+    }
+
     /// Whether `a` is written with a leading minus, and what follows the sign.
     pub fn split_sign(&mut self, a: Id) -> (bool, Id) {
         let negative = match self.node(a) {

@@ -43,12 +43,18 @@ impl Graph {
             self.split_coefficient(magnitude_a),
             self.split_coefficient(magnitude_b),
         );
-        if x != y || self.is_one(x) {
-            return None;
-        }
+        // one of them may be a statement, and the other what it contains
+        let alike = [(x, y), (y, x)];
+        let same = if x == y {
+            Some(x)
+        } else {
+            let mut alike = alike.into_iter();
+            alike.find_map(|(inner, other)| self.quantity_of(inner).filter(|id| *id == other))
+        };
+        let same = same.filter(|id| !self.is_one(*id))?;
         let (c, d) = (self.signed_factor(a), self.signed_factor(b));
         let sum = self.add(c, d);
-        Some(self.multiply(sum, x))
+        Some(self.multiply(sum, same))
     }
 
     /// `c x + c y = c (x + y)` for an early `c`.

@@ -75,6 +75,30 @@ pub fn hint_of_joint(word: &str, known: &[&str]) -> String {
     meant.map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
 }
 
+/// `; did you mean ...?` for motions, by the joints that move a body so, or nothing.
+pub fn hint_of_motion<'a>(word: &str, known: impl Iterator<Item = &'a str> + Clone) -> String {
+    let meant = MOTIONS.iter().find(|row| row.contains(&word));
+    let meant = meant.and_then(|row| known.clone().find(|known| row.contains(known)));
+    let meant = meant.or_else(|| similar(word, known));
+    meant.map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
+}
+
+/// Each row lists words for one motion of a body: that used here, and those of other tools.
+const MOTIONS: [&[&str]; 5] = [
+    &[
+        "spatial",
+        "free",
+        "floating",
+        "freejoint",
+        "six_dof",
+        "rigid",
+    ],
+    &["planar", "plane", "flat"],
+    &["pivot", "hinge", "pendulum"],
+    &["fixed_axis", "revolute", "pin"],
+    &["fixed_point", "spherical", "ball"],
+];
+
 /// Words of other tools, each with the word for the same thing here.
 type Elsewhere = [(&'static str, &'static str)];
 

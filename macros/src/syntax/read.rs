@@ -206,9 +206,17 @@ impl Reader<'_> {
             (Some(last), Some(module)) if module.ident == "consts" => {
                 Some(Kind::Name(last.ident.clone()))
             }
+            (Some(last), Some(module)) if !TYPES.contains(&module.ident.to_string().as_str()) => {
+                let (module, last) = (&module.ident, &last.ident);
+                let message = format!(
+                    "names are joined by a dot: write `{module}.{last}`; a Rust constant is declared in \
+                     `constants: [..]`"
+                );
+                self.refuse(path, &message)
+            }
             _ => self.refuse(
                 path,
-                "paths cannot be used here: descriptions see only their own names and `PI`",
+                "a Rust constant is declared in `constants`, as in `constants: [m = crate::MASS[kg]]`",
             ),
         }
     }

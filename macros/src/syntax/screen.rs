@@ -81,7 +81,7 @@ impl Screen<'_> {
                     self.bare_unit(word, before, &tokens[index + 1..])
                 }
                 TokenTree::Ident(word) if is_second_operand(before, word) => {
-                    self.second_operand(word, before)
+                    self.second_operand(word, (before, tokens.get(index + 1)))
                 }
                 TokenTree::Ident(word) => {
                     let word = self.word(word, &tokens[index + 1..]);
@@ -238,7 +238,11 @@ impl Screen<'_> {
     }
 
     /// Reports a word directly behind another operand.
-    fn second_operand<T>(&mut self, word: &Ident, before: Option<&TokenTree>) -> Option<T> {
+    fn second_operand<T>(
+        &mut self,
+        word: &Ident,
+        (before, after): (Option<&TokenTree>, Option<&TokenTree>),
+    ) -> Option<T> {
         let first = match before {
             Some(TokenTree::Ident(first)) => first.to_string(),
             _ => "(..)".to_owned(),
@@ -246,6 +250,10 @@ impl Screen<'_> {
         let text = word.to_string();
         let message = match text.as_str() {
             "and" | "or" | "then" => meant_instead("", &text).unwrap_or_default(),
+            // a point, as in `tip lower.hinge`
+            _ if after.is_some_and(|next| is_punct(next, '.')) => {
+                format!("expected a comma or an operator before `{word}`")
+            }
             _ => format!(
                 "expected an operator or a comma before this: a product is written `{first} * {word}`"
             ),
@@ -329,6 +337,9 @@ impl Screen<'_> {
             "the quantities of the body stand alone: leave `self.` out".to_owned()
         } else if text == "box" {
             "`box` is a keyword of Rust: the solid is called `cuboid`".to_owned()
+        } else if matches!(text.as_str(), "crate" | "super" | "self" | "Self") {
+            "a Rust constant is declared in `constants`, as in `constants: [m = crate::MASS[kg]]`"
+                .to_owned()
         } else {
             format!(
                 "`{text}` is not part of the language: write arithmetic, functions, `if` or names"
@@ -352,7 +363,10 @@ impl Screen<'_> {
             (':', ':') if !tokens.get(2).is_some_and(|token| is_punct(token, '<')) => (2, ""),
             (':', ':') => (2, "nothing here takes type arguments"),
             ('.', '.') => (2, "`..` cannot be used here: write every value out"),
-            ('-', '>') => (2, "there are no functions here: name the value as a local"),
+            ('-', '>') => (
+                2,
+                "`->` is not part of the language: arguments are separated by commas",
+            ),
             ('+' | '-' | '*' | '/' | '%' | '^', '=') => {
                 (2, "nothing can be assigned to: a name means one value")
             }
@@ -366,6 +380,8 @@ impl Screen<'_> {
                 1,
                 "there are no closures here; conditions are joined by `||`",
             ),
+            ('?', _) => (1, "a choice is written `if .. { .. } else { .. }`"),
+            ('#', _) => (1, "a comment begins with `//`"),
             _ => (1, "this sign is not part of the language"),
         };
         let last = &tokens[length - 1];

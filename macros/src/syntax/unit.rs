@@ -65,6 +65,12 @@ fn product(tokens: TokenStream, around: &Group, errors: &mut Errors) -> Option<F
                     format!("expected `*` or `/` between units: write `* {unit}`"),
                 );
             }
+            TokenTree::Punct(dot) if dot.as_char() == '.' => {
+                return errors.report(
+                    dot.span(),
+                    "a product of units is written `*`, as in `N * m`",
+                );
+            }
             other => {
                 return errors.report(other.span(), "expected `*`, `/` or `^` between units");
             }
@@ -108,6 +114,12 @@ fn power(rest: &mut &[TokenTree], around: &Group, errors: &mut Errors) -> Option
         }
         TokenTree::Ident(word) if !is_keyword(&word.to_string()) && word != "_" => {
             vec![(word.clone(), Fraction::ONE)]
+        }
+        TokenTree::Punct(star) if star.as_char() == '*' => {
+            return errors.report(star.span(), "a power is written `^`, as in `s ^ 2`");
+        }
+        TokenTree::Literal(_) => {
+            return errors.report(first.span(), "a unit has no quotes, as in `[kg]`");
         }
         other => {
             return errors.report(other.span(), "expected a unit such as `kg`, `m` or `N`");

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
-use crate::errors::{Errors, hint};
+use crate::errors::{Errors, hint, hint_of_motion};
 use crate::families::LoadKind;
 use crate::lower::expressions::{
     has_placeholder, is_drive, is_turning_drive, is_unknown, written_frame, written_motion,
@@ -158,7 +158,7 @@ fn check_motion(description: &Description, errors: &mut Errors) {
             format!("`{written}` about which point? write `{written}(P)` with a point of the body"),
         );
     } else if written_motion(description).is_none() {
-        let hint = hint(&written, words());
+        let hint = hint_of_motion(&written, words());
         errors.push(
             word.span(),
             format!(

@@ -148,7 +148,8 @@ impl Lowering<'_> {
             && let Kind::Call(word, _) = &strip_unit(value).kind
         {
             let message = "in the axes of which body? what is given to a system is a scalar, or a vector in \
-                           world axes, `world(_, _, _)`: make vectors of scalars in a body";
+                           world axes, `world(_, _, _)`: build it of scalars in the braces of the body, as \
+                           `body(x, y, z)`";
             return self.report(word.span(), message);
         }
         if frame == Some(FrameWord::Body) && self.motion.is_line() {

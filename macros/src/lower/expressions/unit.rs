@@ -142,6 +142,9 @@ fn raised(
 /// The sign for a millionth, as two characters.
 const MICRO: [char; 2] = ['\u{b5}', '\u{3bc}'];
 
+/// Units with prefixes, and others that no table lists.
+const PREFIXED: [&str; 5] = ["kg", "mm", "cm", "km", "rpm"];
+
 /// A suggestion for an unknown unit, if there is one.
 fn advice(word: &str) -> String {
     let lower = word.to_lowercase();
@@ -163,12 +166,15 @@ fn advice(word: &str) -> String {
     if let Some((unit, digits)) = unit_and_exponent(word) {
         return format!(": write `{unit} ^ {digits}`");
     }
+    if let Some(unit) = PREFIXED.iter().find(|unit| unit.eq_ignore_ascii_case(word)) {
+        return format!(": write `{unit}`");
+    }
     let halves = word.char_indices().skip(1).map(|(at, _)| word.split_at(at));
     let is_known = |half: &str| half == "kg" || METRIC.iter().any(|unit| unit.0 == half);
     if let Some((a, b)) = halves.into_iter().find(|(a, b)| is_known(a) && is_known(b)) {
         return format!(": write `{a} * {b}`");
     }
-    let prefixed = ["kg", "mm", "cm", "km", "rpm"].into_iter();
+    let prefixed = PREFIXED.into_iter();
     let metric = METRIC.iter().map(|unit| unit.0);
     let customary = CUSTOMARY.iter().map(|unit| unit.0);
     let angles = ANGLES.iter().map(|unit| unit.0);

@@ -250,6 +250,8 @@ impl Lowering<'_> {
                             .to_owned()
                     } else if is_method {
                         format!("parentheses are missing: write `.{word}()`")
+                    } else if self.motion.is_planar && matches!(word, "x" | "y" | "z") {
+                        format!("in the plane this is {}: leave `.{word}` out", other.kind())
                     } else if is_unit(word) {
                         format!("a unit stands in brackets: write `[{word}]`")
                     } else {

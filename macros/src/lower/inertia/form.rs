@@ -157,7 +157,7 @@ impl Lowering<'_> {
         if is_of_solid(inner) {
             return self.report(
                 unit.extent,
-                "the lengths of a solid have the units: write `sphere(0.1[m])`",
+                "units belong to the lengths of a solid: write `sphere(0.1[m])`",
             );
         }
         let (factor, dimension) = lower_unit(unit, self.errors)?;

@@ -186,7 +186,16 @@ impl Reader<'_> {
             return report_operand(word, errors);
         }
         let Some((load, [target])) = behind(value, "on") else {
-            let message = "a drive acts on a joint: write `torque.on(elbow)`";
+            let is_part = |kind: &Kind| {
+                matches!(kind, Kind::Chain(first, rest)
+                    if behind(first, "on").is_some()
+                        || rest.iter().any(|step| behind(&step.operand, "on").is_some()))
+            };
+            let message = if is_part(&value.kind) {
+                "`.on(..)` stands behind the whole load, in parentheses: write `(a - b).on(elbow)`"
+            } else {
+                "a drive acts on a joint: write `torque.on(elbow)`"
+            };
             let place = match &value.kind {
                 Kind::Method(_, word, arguments) if word != "on" && arguments.len() == 1 => {
                     word.span().into()

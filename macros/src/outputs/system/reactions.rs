@@ -136,10 +136,17 @@ fn check_determined(basis: &mut Basis<'_, System>) -> Option<()> {
     let release = derive_system_release(system, basis.work, basis.equations);
     let mut against: Vec<String> = open.iter().map(|(name, _)| format!("`{name}`")).collect();
     against.dedup();
+    // "`a`, `b` and `c`"
+    if let [.., _, _] = against[..]
+        && let Some(last) = against.pop()
+        && let Some(other) = against.last_mut()
+    {
+        *other = format!("{other} and {last}");
+    }
     for (place, parts) in asked {
         let message = format!(
-            "the balances do not determine {}: {} hold against each other; all is determined {release}, or ask \
-             for others alone, `reactions(..)`",
+            "the balances do not determine {}, because {} hold against each other: they are determined \
+             {release}; or request only other reactions, `reactions(..)`",
             parts.join(", "),
             against.join(", "),
         );

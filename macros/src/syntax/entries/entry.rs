@@ -177,6 +177,14 @@ pub fn parse_name<'t>(
             }
             Some((name.clone(), rest))
         }
+        [TokenTree::Literal(text), ..] if key == "outputs" => {
+            let name = text.to_string();
+            let message = format!(
+                "an output has no quotes: write `{}`",
+                name.trim_matches('"')
+            );
+            errors.report(text.span(), message)
+        }
         [first, ..] if key == "outputs" => errors.report(
             start(first),
             "expected the name of an output, such as `energy`",

@@ -297,7 +297,7 @@ impl Lowering<'_> {
             return Some(());
         }
         let message = format!(
-            "a table has a value for each place: there are {expected} places and {count} values"
+            "a table has a value for each grid point: there are {expected} points and {count} values"
         );
         self.report(place, message)
     }

@@ -100,9 +100,10 @@ fn check_count(
     let excess = arguments.get(expected);
     let place = excess.map_or(word.span().into(), |extra| extra.extent);
     let (form, count) = (kind.form, arguments.len());
+    let s = if expected == 1 { "" } else { "s" };
     errors.push(
         place,
-        format!("`{form}` takes {expected} arguments, and this has {count}"),
+        format!("`{form}` takes {expected} argument{s}, and this has {count}"),
     );
     None
 }

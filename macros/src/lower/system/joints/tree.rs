@@ -51,10 +51,13 @@ impl Reader<'_> {
         {
             let name = &bodies[body].name;
             let joint = carried_by[body].and_then(|index| joints[index].as_ref());
-            let joint = joint.map_or(String::new(), |joint| joint.name.to_string());
+            let place = joint.map_or(name.span(), |joint| joint.name.span());
             errors.push(
-                name.span(),
-                format!("`{name}` is carried by `{joint}` in a circle: one of the bodies in it is joined to the ground, or `free`"),
+                place,
+                format!(
+                    "the joints run in a circle, and nothing joins it to the ground: write a joint of one of its \
+                     bodies on `world(..)`, or `free({name})`"
+                ),
             );
         }
         (order, closing)

@@ -73,7 +73,7 @@ fn find(folder: &str, find: impl Fn(&[TokenTree]) -> Option<String>) -> Words {
     found.collect()
 }
 
-/// The strings that stand behind these tokens.
+/// The strings that follow these tokens.
 fn behind(folder: &str, before: [&str; 2]) -> Words {
     find(folder, |three| {
         let found = [0, 1].map(|place| three[place].to_string());

@@ -50,7 +50,7 @@ pub fn meant(group: &Group, tokens: &[TokenTree], index: usize, errors: &mut Err
             _ => (
                 Delimiter::Brace,
                 format!(
-                    "entries stand in braces, with colons: write `{word} {{ xx: .., yy: .., zz: .. }}`"
+                    "entries go in braces, with colons: write `{word} {{ xx: .., yy: .., zz: .. }}`"
                 ),
             ),
         },
@@ -66,11 +66,11 @@ pub fn meant(group: &Group, tokens: &[TokenTree], index: usize, errors: &mut Err
         ),
         _ if named => (
             Delimiter::Parenthesis,
-            format!("arguments stand in parentheses and have no names: write `{word}(..)`"),
+            format!("arguments go in parentheses and have no names: write `{word}(..)`"),
         ),
         _ => {
             let dot = if is_method { "." } else { "" };
-            let message = format!("arguments stand in parentheses: write `{dot}{word}(..)`");
+            let message = format!("arguments go in parentheses: write `{dot}{word}(..)`");
             (Delimiter::Parenthesis, message)
         }
     };
@@ -144,7 +144,7 @@ pub fn behind_number(tokens: &[TokenTree], index: usize, errors: &mut Errors) ->
         _ => return false,
     };
     let message = match written_unit(group) {
-        Some(unit) => format!("a unit stands in square brackets: write `{number}[{unit}]`"),
+        Some(unit) => format!("a unit goes in square brackets: write `{number}[{unit}]`"),
         None if in_braces || matches!(before, Some(TokenTree::Group(_))) => return false,
         None => format!("a product is written with `*`: write `{number} * (..)`"),
     };
@@ -173,7 +173,7 @@ pub fn in_angles(
     let place = Extent::from(less.span()).to(inner[length].span().into());
     errors.push(
         place,
-        format!("a unit stands in square brackets: write `{number}[{unit}]`"),
+        format!("a unit goes in square brackets: write `{number}[{unit}]`"),
     );
     Some(length + 2)
 }
@@ -270,7 +270,7 @@ pub fn is_value_in_brackets(
         && written_unit(group).is_none()
 }
 
-/// Whether a word stands directly behind another operand.
+/// Whether a word directly follows another operand.
 pub fn is_second_operand(before: Option<&TokenTree>, word: &Ident) -> bool {
     let is_operand = match before {
         Some(TokenTree::Ident(first)) => !is_keyword(&first.to_string()) && first != "not",

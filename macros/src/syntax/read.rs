@@ -190,7 +190,7 @@ impl Reader<'_> {
         let message = if TYPES.contains(&suffix.as_str()) {
             format!("numbers have no type here, they are exact: write `{digits}`")
         } else {
-            let of_unit = || format!("a unit stands in brackets: write `{digits}[{suffix}]`");
+            let of_unit = || format!("a unit goes in brackets: write `{digits}[{suffix}]`");
             meant_instead(digits, &suffix).unwrap_or_else(of_unit)
         };
         self.errors.report(literal.span(), message)

@@ -189,7 +189,7 @@ impl Screen<'_> {
                 let (place, message) = match function {
                     Some(word) if word == "compose" => (
                         word.span(),
-                        "`compose([..])` is a whole body: it stands alone behind `inertia:`",
+                        "`compose([..])` is a whole body: it stands alone after `inertia:`",
                     ),
                     _ if has_comma(group) => (
                         group.span_open(),
@@ -284,7 +284,7 @@ impl Screen<'_> {
         }
         let unit = BareUnit::read(word, after);
         let message = format!(
-            "a unit stands in brackets: write `{number}[{}]`",
+            "a unit goes in brackets: write `{number}[{}]`",
             unit.written
         );
         self.errors.push(unit.extent, message);

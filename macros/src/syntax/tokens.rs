@@ -32,7 +32,7 @@ pub fn split(tokens: TokenStream, entry: Entry, errors: &mut Errors) -> Vec<Vec<
             } else if current.is_empty() {
                 errors.push(
                     token.span(),
-                    "nothing stands in front of this comma: leave it out",
+                    "there is nothing before this comma: leave it out",
                 );
             }
             if !current.is_empty() {

@@ -1,7 +1,7 @@
 //! A guide in chapters: the physics first, then the description, then numbers to check.
 //!
-//! Every program compiles as it stands, in a crate that depends on `newton-euler` alone, and
-//! asserts what the text says. The references of the language are
+//! Every program compiles as it stands, in a crate that depends on `newton-euler` alone (the
+//! gallery needs the feature `pictures`), and asserts what the text says. The references of the language are
 //! [`rigid_body!`](crate::rigid_body) and [`rigid_system!`](crate::rigid_system); [`recipes`] has
 //! programs for common tasks.
 //!

@@ -62,7 +62,7 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// Shows what stands behind `rigid_body!` and `rigid_system!`, and each `Name { .. }` that a `quote!` holds alone.
+/// Shows what follows `rigid_body!` and `rigid_system!`, and each `Name { .. }` that a `quote!` holds alone.
 fn collect(stream: TokenStream, show: &mut impl FnMut(&TokenStream)) {
     let tokens: Vec<TokenTree> = stream.into_iter().collect();
     for (index, token) in tokens.iter().enumerate() {

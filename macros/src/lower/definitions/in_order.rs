@@ -274,7 +274,7 @@ impl Lowering<'_> {
             return;
         }
         self.scope.define("mass", None);
-        // one that stands behind the inertia is reported there
+        // one that follows the inertia is reported there
         let inertia = description
             .inertia
             .as_ref()

@@ -32,7 +32,7 @@ pub fn check_names(description: &Description, errors: &mut Errors) -> HashSet<St
             }
             Some(first) if *first == what => format!("there is a {what} `{word}` already"),
             Some(first) => format!(
-                "`{word}` is the name of a {first} already: params, inputs, states, points and \
+                "`{word}` is already the name of a {first}: params, inputs, states, points and \
                  locals need different names"
             ),
         };

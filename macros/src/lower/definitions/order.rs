@@ -252,7 +252,7 @@ impl<'d> References<'d> {
                 way.splice(SHOWN / 2..way.len() - SHOWN / 2, ["..".to_owned()]);
             }
             let way = way.join(", which needs ");
-            format!("definitions go in a circle: `{name}` needs {way}")
+            format!("these definitions are circular: `{name}` needs {way}")
         };
         errors.push(mention.span(), message);
     }

@@ -231,7 +231,7 @@ impl Lowering<'_> {
             return format!("; declare it, as in `{}`", declaration(word, expected));
         }
         if is_unit(word) && hint.is_empty() {
-            format!("; a unit stands in brackets, as in `2[{word}]`")
+            format!("; a unit goes in brackets, as in `2[{word}]`")
         } else if is_constant(word) && !self.scope.known().any(is_similar) {
             self.of_rust(word)
         } else {

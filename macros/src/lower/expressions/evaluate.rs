@@ -9,7 +9,7 @@ use super::lowering::{AXES, Lowering, UNKNOWN, dimension};
 use super::scope::Value;
 use super::unit::{lower_unit, unquoted};
 
-const CHARGES: &str = "a list of charges stands behind a field: `field.on([q.at(P)])`";
+const CHARGES: &str = "a list of charges follows a field: `field.on([q.at(P)])`";
 
 impl Lowering<'_> {
     /// A value, with its frame and dimension.
@@ -43,7 +43,7 @@ impl Lowering<'_> {
             Kind::Field(receiver, field) => self.field(receiver, field),
             Kind::Record(name, _) if name == "tensor" || name == "products" => self.report(
                 name.span(),
-                format!("`{name} {{ .. }}` is an inertia: it stands behind `inertia:`"),
+                format!("`{name} {{ .. }}` is an inertia: it goes after `inertia:`"),
             ),
             Kind::Record(name, _) => self.report(
                 name.span(),

@@ -58,15 +58,15 @@ impl Lowering<'_> {
             }
             "moment" => self.report(
                 function.span(),
-                "`moment(..)` stands alone behind the name of a reaction or a field",
+                "`moment(..)` stands alone after the name of a reaction or a field",
             ),
             "principal" | "tensor" | "products" => self.report(
                 function.span(),
-                format!("`{word}(..)` is an inertia: it stands behind `inertia:`"),
+                format!("`{word}(..)` is an inertia: it goes after `inertia:`"),
             ),
             _ if is_solid(function) => self.report(
                 function.span(),
-                format!("`{word}(..)` is an inertia: it stands behind `inertia:`"),
+                format!("`{word}(..)` is an inertia: it goes after `inertia:`"),
             ),
             _ if is_function(&word) => {
                 let first = arguments.first().and_then(|first| self.value(first));
@@ -110,20 +110,20 @@ impl Lowering<'_> {
             "at" if matches!(value, Value::Scalar(..)) => {
                 return self.report(
                     method.span(),
-                    "`.at(P)` stands behind a load, which is a vector, and this is a scalar",
+                    "`.at(P)` follows a load, which is a vector, and this is a scalar",
                 );
             }
             "at" => {
                 return self.report(
                     method.span(),
-                    "`.at(P)` stands behind the whole load: put the vector in parentheses, \
+                    "`.at(P)` follows the whole load: put the vector in parentheses, \
                      `(..).at(P)`",
                 );
             }
             "on" => {
                 return self.report(
                     method.span(),
-                    "`.on([..])` stands behind a whole field, in `fields`: put the vector in \
+                    "`.on([..])` follows a whole field, in `fields`: put the vector in \
                      parentheses, `(..).on([q.at(P)])`",
                 );
             }

@@ -91,7 +91,7 @@ impl Lowering<'_> {
         let Some(place) = place else {
             return Some(());
         };
-        let message = format!("a unit stands in brackets: write `{digits}[{written}]`");
+        let message = format!("a unit goes in brackets: write `{digits}[{written}]`");
         self.report(place, message)
     }
 
@@ -222,5 +222,5 @@ pub fn unquoted(text: &str) -> String {
     if unit.is_empty() {
         return format!("a number has no quotes: write `{digits}`");
     }
-    format!("a number has no quotes, and its unit stands in brackets: write `{digits}[{unit}]`")
+    format!("a number has no quotes, and its unit goes in brackets: write `{digits}[{unit}]`")
 }

@@ -253,7 +253,7 @@ impl Lowering<'_> {
                     } else if self.motion.is_planar && matches!(word, "x" | "y" | "z") {
                         format!("in the plane this is {}: leave `.{word}` out", other.kind())
                     } else if is_unit(word) {
-                        format!("a unit stands in brackets: write `[{word}]`")
+                        format!("a unit goes in brackets: write `[{word}]`")
                     } else {
                         format!("{} has no field `{word}`", other.kind())
                     },

@@ -111,12 +111,12 @@ impl Lowering<'_> {
             }
             Kind::Method(_, method, _) if method == "mass" => self.report(
                 method.span(),
-                "`.mass(..)` stands behind a part of `compose([..])`: that of a whole body is \
+                "`.mass(..)` follows a part of `compose([..])`: that of a whole body is \
                  the key `mass`",
             ),
             Kind::Method(_, method, _) if method == "at" => self.report(
                 method.span(),
-                "`.at(..)` stands behind a part of `compose([..])`: a whole inertia is about G, \
+                "`.at(..)` follows a part of `compose([..])`: a whole inertia is about G, \
                  or about another point P as `.about(P)`",
             ),
             Kind::Call(word, parts) if word == "principal" => {

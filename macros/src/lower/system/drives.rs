@@ -192,7 +192,7 @@ impl Reader<'_> {
                         || rest.iter().any(|step| behind(&step.operand, "on").is_some()))
             };
             let message = if is_part(&value.kind) {
-                "`.on(..)` stands behind the whole load, in parentheses: write `(a - b).on(elbow)`"
+                "`.on(..)` follows the whole load, in parentheses: write `(a - b).on(elbow)`"
             } else {
                 "a drive acts on a joint: write `torque.on(elbow)`"
             };

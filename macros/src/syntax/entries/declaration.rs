@@ -60,7 +60,7 @@ pub fn parse_declaration(
             if colon.as_char() == ':' && (key != "params" || !begins_value(unit)) =>
         {
             let message = match unit_meant(unit) {
-                Some(unit) => format!("write `{name}[{unit}]`: a unit stands in brackets"),
+                Some(unit) => format!("write `{name}[{unit}]`: a unit goes in brackets"),
                 None if key == "inputs" => format!(
                     "an input has no type: write `{name}[unit]` for a scalar, or \
                      `{name} = world(_, _, _)[unit]` for a vector"
@@ -76,7 +76,7 @@ pub fn parse_declaration(
         [TokenTree::Group(group), ..] if group.delimiter() == Delimiter::Parenthesis => {
             let message = match unit_meant(&rest[..1]) {
                 Some(unit) if key != "params" => {
-                    format!("a unit stands in brackets: write `{name}[{unit}]`")
+                    format!("a unit goes in brackets: write `{name}[{unit}]`")
                 }
                 _ => format!("expected `{name}`, `{name}[unit]` or `{name} = value`"),
             };
@@ -85,10 +85,7 @@ pub fn parse_declaration(
         }
         [TokenTree::Ident(word), after @ ..] if is_unit_word(word) => {
             let unit = BareUnit::read(word, after);
-            let message = format!(
-                "a unit stands in brackets: write `{name}[{}]`",
-                unit.written
-            );
+            let message = format!("a unit goes in brackets: write `{name}[{}]`", unit.written);
             errors.push(unit.extent, message);
             (None, Some(None))
         }
@@ -145,11 +142,11 @@ fn parse_unit(
             .into_iter()
             .collect();
         let value = to_text(&value);
-        format!("a unit stands behind the components: write `{name} = {value}[{unit}]`")
+        format!("a unit follows the components: write `{name} = {value}[{unit}]`")
     } else if key == "inputs" {
         format!("an input has no value here: write `{name}[{unit}]`, or make it a param")
     } else {
-        format!("a unit stands behind its number: write `{name} = ..[{unit}]`")
+        format!("a unit follows its number: write `{name} = ..[{unit}]`")
     };
     errors.report(group.span(), message)
 }

@@ -54,7 +54,7 @@ fn value_of_constant(
         && is_punct(sign, '=')
     {
         let unit_text = unit.stream();
-        let message = format!("a unit stands behind its value: write `{name} = ..[{unit_text}]`");
+        let message = format!("a unit follows its value: write `{name} = ..[{unit_text}]`");
         return errors.report(unit.span(), message);
     }
     let example = format!(

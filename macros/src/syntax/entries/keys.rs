@@ -49,7 +49,7 @@ pub fn report_unknown(key: &Ident, meant: Option<&str>, errors: &mut Errors) {
         || "; the documentation of the macro lists all keys".to_owned(),
         |meant| format!("; did you mean `{meant}`?"),
     );
-    errors.push(key.span(), format!("there is no key `{key}`{hint}"));
+    errors.push(key.span(), format!("unknown key `{key}`{hint}"));
 }
 
 /// Whether a key belongs to systems alone.

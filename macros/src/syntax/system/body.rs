@@ -97,7 +97,7 @@ impl System {
                 if word != "copies" {
                     errors.push(
                         key.span(),
-                        format!("there is no key `{key}`; did you mean `copies`?"),
+                        format!("unknown key `{key}`; did you mean `copies`?"),
                     );
                 } else if is_repeated {
                     let message = "`copies` is given twice: put everything into one `copies: [..]`";
@@ -115,7 +115,7 @@ impl System {
                 self.parse_key_in_a_body(key, &entry, errors);
             } else if key_meant(&word).is_none() && similar(&word, ["joints"]).is_some() {
                 let message = format!(
-                    "there is no key `{key}`; joints stand outside of the braces of bodies, in `joints: [..]`"
+                    "unknown key `{key}`; joints go outside the braces of bodies, in `joints: [..]`"
                 );
                 errors.push(key.span(), message);
                 self.lost.joints = true;
@@ -168,8 +168,7 @@ fn name_inside(entry: &[TokenTree], errors: &mut Errors) -> Option<(Ident, Group
     if key != "name" || !is_punct(colon, ':') {
         return None;
     }
-    let message =
-        format!("the name of a body stands in front of its braces: write `{name} {{ .. }}`");
+    let message = format!("the name of a body goes before its braces: write `{name} {{ .. }}`");
     errors.push(key.span(), message);
     let rest = match rest {
         [comma, rest @ ..] if is_punct(comma, ',') => rest,

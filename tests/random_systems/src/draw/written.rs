@@ -7,7 +7,7 @@ use crate::law::functions::DECLARED;
 use super::{CABLES, DRIVES, Drawing, Drawn, FIELDS, FORCES, Keys, MOMENTS, POTENTIALS};
 
 impl Drawing {
-    /// The text, of bodies and joints in any order; what closes a loop stands behind what carries.
+    /// The text, of bodies and joints in any order; what closes a loop follows what carries.
     pub fn finish(mut self) -> Drawn {
         let mut bodies: Vec<String> = Vec::new();
         for (number, keys) in self.bodies.iter().enumerate() {

@@ -59,7 +59,7 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
             repeated.insert(name.to_string());
         } else if let Some((_, first)) = seen.iter().find(|(other, _)| *other == name) {
             let message = format!(
-                "`{name}` is the name of a {first} already: params, inputs, states, locals, bodies and joints need different names"
+                "`{name}` is already the name of a {first}: params, inputs, states, locals, bodies and joints need different names"
             );
             errors.push(name.span(), message);
             repeated.insert(name.to_string());

@@ -142,7 +142,7 @@ pub fn check_own_names(
     for own in body.points.iter().chain(&body.locals) {
         if let Some((name, what)) = all.iter().find(|(name, _)| **name == own.name) {
             let message = format!(
-                "`{name}` is the name of a {what} of the system already: choose another name"
+                "`{name}` is already the name of a {what} of the system: choose another name"
             );
             errors.push(own.name.span(), message);
             repeated.insert(name.to_string());

@@ -4,8 +4,9 @@
 mod suggestions;
 
 pub use suggestions::{
-    declaration_meant, foreign_key_meant, foreign_list_meant, function_meant, hint, hint_of_joint,
-    hint_of_motion, is_joint, name_meant, similar, solid_meant, unit_of, vector_method_meant,
+    advice_for_key, declaration_meant, foreign_key_meant, foreign_list_meant, function_meant, hint,
+    hint_of_joint, hint_of_motion, is_joint, name_meant, similar, solid_meant, unit_of,
+    vector_method_meant,
 };
 
 use proc_macro2::{Ident, Span, TokenStream};

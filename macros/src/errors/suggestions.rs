@@ -243,6 +243,25 @@ pub fn foreign_key_meant(word: &str) -> Option<&'static str> {
     meant(word, KEYS)
 }
 
+/// What to write instead of a key that other tools have, and descriptions do not need.
+pub fn advice_for_key(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "com" | "cog" | "center_of_mass" | "origin" => {
+            "points are measured from the center of mass, which has no key"
+        }
+        "position" | "velocity" | "attitude" | "orientation" | "initial" | "state" => {
+            "initial values belong to the state, not to the description"
+        }
+        "geom" | "geometry" | "visual" | "collision" | "shape" | "color" | "mesh" => {
+            "shapes are no part of the motion: leave them out"
+        }
+        "parent" | "child" | "carrier" | "loops" | "closures" => {
+            "bodies are connected by `joints`; a joint between bodies that are connected already closes a loop"
+        }
+        _ => return None,
+    })
+}
+
 /// The list of a system that a word means in other tools.
 pub fn foreign_list_meant(word: &str) -> Option<&'static str> {
     meant(word, KEYS_OF_SYSTEMS)

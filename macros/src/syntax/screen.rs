@@ -6,7 +6,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Spacing, TokenStream, TokenTree};
 
-use crate::errors::{Errors, Extent};
+use crate::errors::{Errors, Extent, is_joint};
 
 use super::bare_unit::{BareUnit, lacks_brackets, meant_instead};
 use super::brackets::{
@@ -14,10 +14,12 @@ use super::brackets::{
     is_value_in_brackets, meant,
 };
 use super::nesting::{DEPTH, Nested, crossed_limit, too_deep};
-use super::tokens::{argument_name, comma, has_comma, is_parenthesized, is_punct, start};
+use super::tokens::{argument_name, has_comma, is_parenthesized, is_punct, start, with_commas};
 use super::unit::UnitExpression;
 use super::words::is_keyword;
 
+/// What other tools write as properties of joints.
+const LOADS_OF_JOINTS: [&str; 5] = ["damping", "friction", "stiffness", "spring", "effort"];
 /// The most digits of a number, including its point and exponent: every double needs fewer.
 const DIGITS: usize = 1200;
 
@@ -97,7 +99,7 @@ impl Screen<'_> {
                     let of_unit = in_angles(before, &tokens[index..], self.errors);
                     of_unit.or_else(|| {
                         let read = match argument_name(&tokens, index, function) {
-                            Some(name) => self.named_argument(name, token),
+                            Some(name) => self.named_argument(name, (token, function)),
                             None => self.sign(&tokens[index..]),
                         };
                         shown.extend(tokens[index..index + read.unwrap_or(0)].iter().cloned());
@@ -117,32 +119,26 @@ impl Screen<'_> {
         shown.into_iter().collect()
     }
 
-    /// The tokens with commas in place of semicolons, which are reported once.
-    fn with_commas(&mut self, tokens: TokenStream) -> TokenStream {
-        let mut is_reported = false;
-        let tokens = tokens.into_iter().map(|token| {
-            if !is_punct(&token, ';') {
-                return token;
-            }
-            if !is_reported {
-                self.errors
-                    .push(token.span(), "expected a comma instead of this");
-            }
-            is_reported = true;
-            comma(token.span())
-        });
-        tokens.collect()
-    }
-
     fn refuse<T>(&mut self, place: impl Into<Extent>, message: &str) -> Option<T> {
         self.errors.push(place, message);
         self.refused = true;
         None
     }
 
-    fn named_argument<T>(&mut self, name: &Ident, sign: &TokenTree) -> Option<T> {
+    fn named_argument<T>(
+        &mut self,
+        name: &Ident,
+        (sign, function): (&TokenTree, Option<&Ident>),
+    ) -> Option<T> {
         let place = Extent::from(name.span()).to(sign.span().into());
-        let message = format!("arguments have no names: leave `{name} {sign}` out");
+        let is_load = LOADS_OF_JOINTS.iter().any(|word| name == word);
+        let joint = function.filter(|word| is_load && is_joint(&word.to_string()));
+        let message = match joint {
+            Some(joint) => format!(
+                "`{joint}` takes points and axes, without names: loads along the joint, such as damping, are written in `drives`"
+            ),
+            None => format!("arguments have no names: leave `{name} {sign}` out"),
+        };
         self.refuse(place, &message)
     }
 
@@ -215,7 +211,7 @@ impl Screen<'_> {
                 // other braces are branches
                 let inner = match delimiter {
                     Delimiter::Brace if !is_record(before) => group.stream(),
-                    _ => self.with_commas(group.stream()),
+                    _ => with_commas(group.stream(), self.errors),
                 };
                 let inner = self.stream(inner, depth + 1, function);
                 Group::new(delimiter, inner)
@@ -229,8 +225,13 @@ impl Screen<'_> {
     fn unit(&mut self, group: &Group, before: Option<&TokenTree>) -> Option<UnitExpression> {
         match component_meant(group) {
             Some(axis) if !matches!(before, Some(TokenTree::Literal(_))) => {
-                let message =
-                    format!("brackets hold a unit: a component is written `.in_world().{axis}`");
+                let message = match before {
+                    Some(TokenTree::Ident(word)) if word == "attitude" => {
+                        "brackets hold a unit: a part of the quaternion is written `attitude.w`, `.i`, `.j` or `.k`"
+                            .to_owned()
+                    }
+                    _ => format!("brackets hold a unit: a component is written `.in_world().{axis}`"),
+                };
                 self.errors.report(group.span(), message)
             }
             _ => UnitExpression::parse(group, self.errors),

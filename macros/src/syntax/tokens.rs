@@ -249,3 +249,19 @@ pub fn has_comma(group: &Group) -> bool {
         .into_iter()
         .any(|token| is_punct(&token, ','))
 }
+
+/// The tokens with commas in place of semicolons, which are reported once.
+pub fn with_commas(tokens: TokenStream, errors: &mut Errors) -> TokenStream {
+    let mut is_reported = false;
+    let tokens = tokens.into_iter().map(|token| {
+        if !is_punct(&token, ';') {
+            return token;
+        }
+        if !is_reported {
+            errors.push(token.span(), "expected a comma instead of this");
+        }
+        is_reported = true;
+        comma(token.span())
+    });
+    tokens.collect()
+}

@@ -6,6 +6,14 @@ rigid_body!(Drone {
     inertia: principal(0.01, 0.01, 0.02)[kg * m ^ 2],
 });
 
+rigid_body!(Keys {
+    motion: rotation,
+    center_of_mass: (0, 0, 0),
+    initial: 3,
+    inertia: principal(1, 1, 1)[kg * m ^ 2],
+    moments: [turn = body(attitude[0] * 1[N * m], 0, 0)],
+});
+
 rigid_body!(Signs {
     motion: translation,
     inputs: [thrust[N]],
@@ -37,6 +45,7 @@ rigid_system!(Arms {
     joints: [
         shoulder = revolute(world(0, 0) -> upper.hinge),
         elbow = revolute(upper.tip lower.hinge),
+        wrist = revolute(upper.tip, lower.hinge, damping = 0.1),
         loose = free(upper, lower),
     ],
     drives: [motor = torque.on(elbow) - 0.1[N * m * s] * elbow.angular_velocity],

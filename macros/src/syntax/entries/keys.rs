@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenTree};
 
-use crate::errors::{Errors, foreign_key_meant, similar};
+use crate::errors::{Errors, advice_for_key, foreign_key_meant, similar};
 use crate::syntax::Description;
 use crate::syntax::tokens::is_punct;
 
@@ -44,6 +44,10 @@ pub fn key_meant(word: &str) -> Option<&'static str> {
 
 /// Reports an unknown key, and suggests the one that was probably meant.
 pub fn report_unknown(key: &Ident, meant: Option<&str>, errors: &mut Errors) {
+    if let Some(advice) = advice_for_key(&key.to_string()).filter(|_| meant.is_none()) {
+        errors.push(key.span(), format!("unknown key `{key}`: {advice}"));
+        return;
+    }
     let elsewhere = || foreign_key_meant(&key.to_string());
     let hint = meant.or_else(elsewhere).map_or_else(
         || "; the documentation of the macro lists all keys".to_owned(),

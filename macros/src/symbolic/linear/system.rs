@@ -28,6 +28,8 @@ pub struct Elimination {
     pub undetermined: Vec<Undetermined>,
     /// The remaining rows, with the remainder of their right sides.
     pub spare: Vec<(usize, Id)>,
+    /// The equations as they are left: each without the unknowns that were solved for before it.
+    pub left: Vec<Equation>,
 }
 
 /// An unknown that is determined only together with others, if at all.

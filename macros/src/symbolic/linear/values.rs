@@ -54,6 +54,7 @@ impl System<'_> {
                 .iter()
                 .map(|row| (*row, self.rows[*row].right))
                 .collect(),
+            left: self.rows,
         }
     }
 

@@ -5,7 +5,7 @@ use crate::model::Workspace;
 use crate::symbolic::{Equation, Id, Size};
 
 use super::super::constraints::{ConstraintRow, split};
-use super::super::reduced::{LoadedRow, together};
+use super::super::reduced::{LoadedRow, label, together};
 use super::known::Keeper;
 use super::unsettled::{open, without_column};
 
@@ -37,10 +37,10 @@ pub struct Following<'a> {
     pub accelerations: &'a [Id],
 }
 
-/// Solves for accelerations and loads. Loads may depend on the symbols in `following`.
+/// Solves for the accelerations of `coordinates` and for loads. Loads may depend on the symbols in `following`.
 pub fn eliminated(
     work: &mut Workspace,
-    matrix: &MassMatrix,
+    (matrix, coordinates): (&MassMatrix, &[String]),
     kept: &[(Keeper, ConstraintRow)],
     following: Following<'_>,
 ) -> Found {
@@ -48,6 +48,9 @@ pub fn eliminated(
     let rows: Vec<&ConstraintRow> = kept.iter().map(|(_, row)| row).collect();
     let equations = equations(work, matrix, &rows, following);
     let solved = work.graph.solve(equations.clone(), count + kept.len());
+    let rows = rows.iter().map(|row| row.name.replace('.', "_"));
+    let names: Vec<String> = coordinates.iter().cloned().chain(rows).collect();
+    label(&mut work.labels, &solved, &names);
     // loads that balance each other: a unit of each undetermined load, with the loads of others
     // that it needs
     let mut spare = Vec::new();

@@ -56,6 +56,14 @@ impl<'a> Known<'a> {
         let ends: Vec<Ends<'_>> = closings
             .map(|closing| ends(system, work, built, closing))
             .collect();
+        for ends in &ends {
+            for (link, offset) in ends.links.iter().zip(ends.offsets) {
+                let Some(link) = link else { continue };
+                let arm = placed[*link].to_world(&mut work.graph, offset);
+                let name = format!("arm_{}", built.tree.links[*link].name);
+                work.labels.vector(&name, arm);
+            }
+        }
         let mut rows: Vec<(Keeper, ConstraintRow)> = Vec::new();
         for (number, ends) in ends.iter().enumerate() {
             let own = rows_of_joint(&mut work.graph, &built.tree, &placed, ends).into_iter();

@@ -67,7 +67,12 @@ impl Placed {
 
     /// Names the place and the motion of its origin.
     fn label(&self, labels: &mut Labels, link: &str) {
+        if let Turning::By(rows) = &self.turning {
+            labels.matrix(&format!("axes_{link}"), rows);
+        }
         labels.vector(&format!("place_{link}"), self.origin);
+        labels.vector_or_one("w_world", link, self.w);
+        labels.vector_or_one("turning_drift", link, self.alpha);
         labels.vector(&format!("v_{link}"), self.velocity);
         labels.vector(&format!("drift_{link}"), self.acceleration);
     }

@@ -26,4 +26,4 @@ mod together;
 pub use balances::{Balance, LinearRow};
 pub use loads::loads;
 pub use motion::{Reduced, reduce};
-pub use together::{LoadedRow, together};
+pub use together::{LoadedRow, label, together};

@@ -5,7 +5,7 @@ use crate::symbolic::{Elimination, Id, Size};
 
 use super::balances::{Balance, Balances, LinearRow, at};
 use super::block::Block;
-use super::together::{LoadedRow, together};
+use super::together::{LoadedRow, label, together};
 
 /// The solution of balances and rows.
 pub struct Reduced {
@@ -118,5 +118,10 @@ fn eliminate(balances: &mut Balances<'_>, open: &[usize], left: &[usize]) -> Eli
     let rows: Vec<LoadedRow> = rows.collect();
     let equations = together(balances.work, (&masses, &driving), &rows, Size::Reduced);
     let unknowns = open.len() + left.len();
-    balances.work.graph.solve(equations, unknowns)
+    let solved = balances.work.graph.solve(equations, unknowns);
+    let coordinates = open.iter().map(|own| &balances.all[*own].name);
+    let rows = left.iter().map(|row| &balances.rows[*row].name);
+    let names: Vec<String> = coordinates.chain(rows).cloned().collect();
+    label(&mut balances.work.labels, &solved, &names);
+    solved
 }

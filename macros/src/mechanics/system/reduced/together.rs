@@ -1,8 +1,8 @@
 //! Balances and constraint rows, as equations for the coordinates first and then the loads.
 
 use crate::mechanics::proofs::samples;
-use crate::model::Workspace;
-use crate::symbolic::{Equation, Id, Size};
+use crate::model::{Labels, Workspace};
+use crate::symbolic::{Elimination, Equation, Id, Size};
 
 /// A row, and the effect of its load.
 pub struct LoadedRow {
@@ -12,6 +12,16 @@ pub struct LoadedRow {
     pub pushes: Vec<Id>,
     /// The factor of its load in the row itself.
     pub own: Id,
+}
+
+/// Names the equations that elimination leaves; `names` are those of the coordinates and rows.
+pub fn label(labels: &mut Labels, solved: &Elimination, names: &[String]) {
+    for (equation, row) in solved.left.iter().zip(names) {
+        for (coefficient, column) in equation.coefficients.iter().zip(names) {
+            labels.name(*coefficient, format!("{row}_by_{column}"));
+        }
+        labels.name(equation.right, format!("{row}_to_balance"));
+    }
 }
 
 /// `M x - P l = f`, `A x + c l = r`. The matrix is not definite. The loads, whose divisors are

@@ -42,7 +42,7 @@ pub struct SliderCrankInput {
 impl SliderCrank {
     /// The equations of motion, as evaluated.
     pub const EQUATIONS: &str = {
-        const TEXT: &str = "# bearing_angle big_end_angle: angle, rad\n# bearing_w big_end_w: angular velocity, rad / s\n# guide_a: acceleration, m / s ^ 2\n# bearing_alpha big_end_alpha: angular acceleration, rad / s ^ 2\n# torque: input, N * m\n(sine_bearing, cosine_bearing) = sin_cos(bearing_angle)\n# w of each body, in its axes: of its carrier, and of its joint\nw_world_rod = bearing_w + big_end_w\n# angle of each body from the ground\nangle_rod = bearing_angle + big_end_angle\narm_crank_x = 0.05 * cosine_bearing\narm_crank_y = 0.05 * sine_bearing\n(sine_rod, cosine_rod) = sin_cos(angle_rod)\n# rate of a joint by that of the independent joint\narm_rod_x = 0.18 * cosine_rod\narm_rod_y = 0.18 * sine_rod\n# S r = w' x r + w x (w x r): what an arm r adds to a\nminus_sweep_crank_xx = bearing_w * bearing_w\nminus_sweep_rod_xx = w_world_rod * w_world_rod\nminus_small_end_1_to_balance = arm_crank_x * minus_sweep_crank_xx + arm_rod_x * minus_sweep_rod_xx\nminus_small_end_2_to_balance = arm_crank_y * minus_sweep_crank_xx + arm_rod_y * minus_sweep_rod_xx\nsmall_end_1_by_loop_1 = arm_crank_x * arm_rod_y - arm_crank_y * arm_rod_x\ncoupling_bearing_big_end = 0.13333333333333333 * (arm_crank_x * arm_rod_x + arm_crank_y * arm_rod_y)\n# load on a joint by the acceleration of the independent joint\nmomentum_bearing = arm_crank_x * coupling_bearing_big_end - 0.003 * arm_rod_x\nmomentum_big_end = 0.00264 * arm_crank_x - arm_rod_x * coupling_bearing_big_end\n# inertia that the independent joint moves\ninertia_loop_1 = arm_crank_x * momentum_big_end - arm_rod_x * momentum_bearing\ninverse_inertia_loop_1 = 1 / inertia_loop_1\nfixed_bearing = inverse_inertia_loop_1 * (minus_small_end_2_to_balance * momentum_big_end)\nminus_fixed_big_end = inverse_inertia_loop_1 * (minus_small_end_2_to_balance * momentum_bearing)\nminus_small_end_1_to_balance_1 = arm_crank_y * fixed_bearing - arm_rod_y * minus_fixed_big_end + minus_small_end_1_to_balance\nmomentum_guide = 0.3 * small_end_1_by_loop_1\ninertia_loop_2 = inertia_loop_1 + small_end_1_by_loop_1 * momentum_guide\ninverse_inertia_loop_2 = 1 / inertia_loop_2\ndriving_loop_2 = arm_rod_x * (torque + 0.13333333333333333 * (minus_sweep_rod_xx * small_end_1_by_loop_1)) + 0.13333333333333333 * (arm_crank_x * (minus_sweep_crank_xx * small_end_1_by_loop_1))\nguide_a = inverse_inertia_loop_2 * (small_end_1_by_loop_1 * driving_loop_2 - inertia_loop_1 * minus_small_end_1_to_balance_1)\nminus_acceleration_loop_1 = inverse_inertia_loop_2 * (minus_small_end_1_to_balance_1 * momentum_guide + driving_loop_2)\nbearing_alpha = fixed_bearing + arm_rod_x * minus_acceleration_loop_1\nminus_alpha_total_rod = minus_fixed_big_end + arm_crank_x * minus_acceleration_loop_1\nminus_big_end_alpha = bearing_alpha + minus_alpha_total_rod\nbig_end_alpha = -minus_big_end_alpha";
+        const TEXT: &str = "# bearing_angle big_end_angle: angle, rad\n# bearing_w big_end_w: angular velocity, rad / s\n# guide_a: acceleration, m / s ^ 2\n# bearing_alpha big_end_alpha: angular acceleration, rad / s ^ 2\n# torque: input, N * m\n(sine_bearing, cosine_bearing) = sin_cos(bearing_angle)\n# w of each body, in its axes: of its carrier, and of its joint\nw_rod = bearing_w + big_end_w\n# angle of each body from the ground\nangle_rod = bearing_angle + big_end_angle\narm_crank_x = 0.05 * cosine_bearing\narm_crank_y = 0.05 * sine_bearing\n(sine_rod, cosine_rod) = sin_cos(angle_rod)\narm_rod_x = 0.18 * cosine_rod\narm_rod_y = 0.18 * sine_rod\n# S r = w' x r + w x (w x r): what an arm r adds to a\nminus_sweep_crank_xx = bearing_w * bearing_w\nminus_sweep_rod_xx = w_rod * w_rod\nminus_small_end_1_to_balance = arm_crank_x * minus_sweep_crank_xx + arm_rod_x * minus_sweep_rod_xx\nminus_small_end_2_to_balance = arm_crank_y * minus_sweep_crank_xx + arm_rod_y * minus_sweep_rod_xx\nsmall_end_1_by_loop_1 = arm_crank_x * arm_rod_y - arm_crank_y * arm_rod_x\ncoupling_bearing_big_end = 0.13333333333333333 * (arm_crank_x * arm_rod_x + arm_crank_y * arm_rod_y)\n# load on a joint by the acceleration of the independent joint\nmomentum_bearing = arm_crank_x * coupling_bearing_big_end - 0.003 * arm_rod_x\nmomentum_big_end = 0.00264 * arm_crank_x - arm_rod_x * coupling_bearing_big_end\n# inertia that the independent joint moves\ninertia_loop_1 = arm_crank_x * momentum_big_end - arm_rod_x * momentum_bearing\n# 1 over it, or NaN if it is only rounding error: there, constraints are dependent\ninverse_inertia_loop_1 = 1 / inertia_loop_1\nfixed_bearing = inverse_inertia_loop_1 * (minus_small_end_2_to_balance * momentum_big_end)\nminus_fixed_big_end = inverse_inertia_loop_1 * (minus_small_end_2_to_balance * momentum_bearing)\nminus_small_end_1_to_balance_1 = arm_crank_y * fixed_bearing - arm_rod_y * minus_fixed_big_end + minus_small_end_1_to_balance\nmomentum_guide = 0.3 * small_end_1_by_loop_1\ninertia_loop_2 = inertia_loop_1 + small_end_1_by_loop_1 * momentum_guide\ninverse_inertia_loop_2 = 1 / inertia_loop_2\ndriving_loop_2 = arm_rod_x * (torque + 0.13333333333333333 * (minus_sweep_rod_xx * small_end_1_by_loop_1)) + 0.13333333333333333 * (arm_crank_x * (minus_sweep_crank_xx * small_end_1_by_loop_1))\nguide_a = inverse_inertia_loop_2 * (small_end_1_by_loop_1 * driving_loop_2 - inertia_loop_1 * minus_small_end_1_to_balance_1)\nminus_acceleration_loop_1 = inverse_inertia_loop_2 * (minus_small_end_1_to_balance_1 * momentum_guide + driving_loop_2)\nbearing_alpha = fixed_bearing + arm_rod_x * minus_acceleration_loop_1\nminus_alpha_total_rod = minus_fixed_big_end + arm_crank_x * minus_acceleration_loop_1\nminus_big_end_alpha = bearing_alpha + minus_alpha_total_rod\nbig_end_alpha = -minus_big_end_alpha";
         TEXT
     };
     /// Their operation counts, by function and stage.
@@ -79,18 +79,17 @@ impl ::newton_euler::private::RigidBody for SliderCrank {
             bearing_angle,
         );
         /// w of each body, in its axes: of its carrier, and of its joint
-        let w_world_rod = bearing_w + big_end_w;
+        let w_rod = bearing_w + big_end_w;
         /// angle of each body from the ground
         let angle_rod = bearing_angle + big_end_angle;
         let arm_crank_x = 0.05 * cosine_bearing;
         let arm_crank_y = 0.05 * sine_bearing;
         let (sine_rod, cosine_rod) = ::newton_euler::private::math::sin_cos(angle_rod);
-        /// rate of a joint by that of the independent joint
         let arm_rod_x = 0.18 * cosine_rod;
         let arm_rod_y = 0.18 * sine_rod;
         /// S r = w' x r + w x (w x r): what an arm r adds to a
         let minus_sweep_crank_xx = bearing_w * bearing_w;
-        let minus_sweep_rod_xx = w_world_rod * w_world_rod;
+        let minus_sweep_rod_xx = w_rod * w_rod;
         let minus_small_end_1_to_balance = arm_crank_x * minus_sweep_crank_xx
             + arm_rod_x * minus_sweep_rod_xx;
         let minus_small_end_2_to_balance = arm_crank_y * minus_sweep_crank_xx
@@ -106,6 +105,7 @@ impl ::newton_euler::private::RigidBody for SliderCrank {
         /// inertia that the independent joint moves
         let inertia_loop_1 = arm_crank_x * momentum_big_end
             - arm_rod_x * momentum_bearing;
+        /// 1 over it, or NaN if it is only rounding error: there, constraints are dependent
         let inverse_inertia_loop_1 = ::newton_euler::private::determined(
             inertia_loop_1,
             0.0001038,
@@ -178,7 +178,7 @@ impl ::newton_euler::private::Constrained for SliderCrank {
             bearing_angle,
         );
         /// w of each body, in its axes: of its carrier, and of its joint
-        let w_world_rod = bearing_w + big_end_w;
+        let w_rod = bearing_w + big_end_w;
         /// angle of each body from the ground
         let angle_rod = bearing_angle + big_end_angle;
         let arm_crank_x = 0.05 * cosine_bearing;
@@ -186,15 +186,14 @@ impl ::newton_euler::private::Constrained for SliderCrank {
         let minus_v_rod_x = bearing_w * arm_crank_y;
         let v_rod_y = bearing_w * arm_crank_x;
         let (sine_rod, cosine_rod) = ::newton_euler::private::math::sin_cos(angle_rod);
-        /// rate of a joint by that of the independent joint
         let arm_rod_x = 0.18 * cosine_rod;
         let arm_rod_y = 0.18 * sine_rod;
-        let w_world_rod_arm_rod_y = w_world_rod * arm_rod_y;
-        let w_world_rod_arm_rod_x = w_world_rod * arm_rod_x;
+        let w_rod_arm_rod_y = w_rod * arm_rod_y;
+        let w_rod_arm_rod_x = w_rod * arm_rod_x;
         let minus_small_end_2_by_bearing = arm_crank_x + arm_rod_x;
         let small_end_1_by_bearing = arm_crank_y + arm_rod_y;
-        let sum = minus_v_rod_x + w_world_rod_arm_rod_y;
-        let minus_small_end_2_rate = v_rod_y + w_world_rod_arm_rod_x;
+        let sum = minus_v_rod_x + w_rod_arm_rod_y;
+        let minus_small_end_2_rate = v_rod_y + w_rod_arm_rod_x;
         let small_end_1_gap = guide_position - minus_small_end_2_by_bearing;
         let small_end_1_rate = guide_v + sum;
         [
@@ -227,7 +226,7 @@ impl ::newton_euler::private::Constrained for SliderCrank {
             bearing_angle,
         );
         /// w of each body, in its axes: of its carrier, and of its joint
-        let w_world_rod = bearing_w + big_end_w;
+        let w_rod = bearing_w + big_end_w;
         /// angle of each body from the ground
         let angle_rod = bearing_angle + big_end_angle;
         let arm_crank_x = 0.05 * cosine_bearing;
@@ -235,15 +234,14 @@ impl ::newton_euler::private::Constrained for SliderCrank {
         let minus_v_rod_x = bearing_w * arm_crank_y;
         let v_rod_y = bearing_w * arm_crank_x;
         let (sine_rod, cosine_rod) = ::newton_euler::private::math::sin_cos(angle_rod);
-        /// rate of a joint by that of the independent joint
         let arm_rod_x = 0.18 * cosine_rod;
         let arm_rod_y = 0.18 * sine_rod;
-        let w_world_rod_arm_rod_y = w_world_rod * arm_rod_y;
-        let w_world_rod_arm_rod_x = w_world_rod * arm_rod_x;
+        let w_rod_arm_rod_y = w_rod * arm_rod_y;
+        let w_rod_arm_rod_x = w_rod * arm_rod_x;
         let minus_small_end_2_by_bearing = arm_crank_x + arm_rod_x;
         let small_end_1_by_bearing = arm_crank_y + arm_rod_y;
-        let sum = minus_v_rod_x + w_world_rod_arm_rod_y;
-        let minus_small_end_2_rate = v_rod_y + w_world_rod_arm_rod_x;
+        let sum = minus_v_rod_x + w_rod_arm_rod_y;
+        let minus_small_end_2_rate = v_rod_y + w_rod_arm_rod_x;
         let small_end_1_gap = guide_position - minus_small_end_2_by_bearing;
         let small_end_1_rate = guide_v + sum;
         let minus_small_end_2_by_big_end = minus_small_end_2_by_bearing - arm_crank_x;
@@ -312,7 +310,7 @@ impl ::newton_euler::private::Constrained for SliderCrank {
                         ::newton_euler::private::math::max(
                             ::newton_euler::private::math::max(
                                 ::newton_euler::private::math::abs(v_rod_y),
-                                ::newton_euler::private::math::abs(w_world_rod_arm_rod_x),
+                                ::newton_euler::private::math::abs(w_rod_arm_rod_x),
                             ),
                             ::newton_euler::private::math::sqrt(
                                 twice_kinetic_energy * max_1,
@@ -371,7 +369,7 @@ impl ::newton_euler::private::Kept<2> for SliderCrank {
             bearing_angle,
         );
         /// w of each body, in its axes: of its carrier, and of its joint
-        let w_world_rod = bearing_w + big_end_w;
+        let w_rod = bearing_w + big_end_w;
         /// angle of each body from the ground
         let angle_rod = bearing_angle + big_end_angle;
         let arm_crank_x = 0.05 * cosine_bearing;
@@ -379,15 +377,14 @@ impl ::newton_euler::private::Kept<2> for SliderCrank {
         let minus_v_rod_x = bearing_w * arm_crank_y;
         let v_rod_y = bearing_w * arm_crank_x;
         let (sine_rod, cosine_rod) = ::newton_euler::private::math::sin_cos(angle_rod);
-        /// rate of a joint by that of the independent joint
         let arm_rod_x = 0.18 * cosine_rod;
         let arm_rod_y = 0.18 * sine_rod;
-        let w_world_rod_arm_rod_y = w_world_rod * arm_rod_y;
-        let w_world_rod_arm_rod_x = w_world_rod * arm_rod_x;
+        let w_rod_arm_rod_y = w_rod * arm_rod_y;
+        let w_rod_arm_rod_x = w_rod * arm_rod_x;
         let minus_small_end_2_by_bearing = arm_crank_x + arm_rod_x;
         let small_end_1_by_bearing = arm_crank_y + arm_rod_y;
-        let sum = minus_v_rod_x + w_world_rod_arm_rod_y;
-        let minus_small_end_2_rate = v_rod_y + w_world_rod_arm_rod_x;
+        let sum = minus_v_rod_x + w_rod_arm_rod_y;
+        let minus_small_end_2_rate = v_rod_y + w_rod_arm_rod_x;
         let small_end_1_gap = guide_position - minus_small_end_2_by_bearing;
         let small_end_1_rate = guide_v + sum;
         let minus_small_end_2_by_big_end = minus_small_end_2_by_bearing - arm_crank_x;
@@ -501,7 +498,7 @@ impl ::newton_euler::private::Kept<2> for SliderCrank {
                     ::newton_euler::private::math::max(
                         ::newton_euler::private::math::max(
                             ::newton_euler::private::math::abs(v_rod_y),
-                            ::newton_euler::private::math::abs(w_world_rod_arm_rod_x),
+                            ::newton_euler::private::math::abs(w_rod_arm_rod_x),
                         ),
                         ::newton_euler::private::math::sqrt(
                             twice_kinetic_energy * inverse_mass_small_end_2,
@@ -577,19 +574,18 @@ impl ::newton_euler::private::Reactions for SliderCrank {
             big_end_angle,
         );
         /// w of each body, in its axes: of its carrier, and of its joint
-        let w_world_rod = bearing_w + big_end_w;
+        let w_rod = bearing_w + big_end_w;
         /// angle of each body from the ground
         let angle_rod = bearing_angle + big_end_angle;
         let arm_crank_x = 0.05 * cosine_bearing;
         let arm_crank_y = 0.05 * sine_bearing;
         let (sine_rod, cosine_rod) = ::newton_euler::private::math::sin_cos(angle_rod);
-        /// rate of a joint by that of the independent joint
         let arm_rod_x = 0.18 * cosine_rod;
         let arm_rod_y = 0.18 * sine_rod;
         /// S r = w' x r + w x (w x r): what an arm r adds to a
         let minus_sweep_crank_xx = bearing_w * bearing_w;
         let a_crank_at_rod_x = -0.05 * minus_sweep_crank_xx;
-        let minus_sweep_rod_xx = w_world_rod * w_world_rod;
+        let minus_sweep_rod_xx = w_rod * w_rod;
         let minus_small_end_1_to_balance = arm_crank_x * minus_sweep_crank_xx
             + arm_rod_x * minus_sweep_rod_xx;
         let minus_small_end_2_to_balance = arm_crank_y * minus_sweep_crank_xx
@@ -605,6 +601,7 @@ impl ::newton_euler::private::Reactions for SliderCrank {
         /// inertia that the independent joint moves
         let inertia_loop_1 = arm_crank_x * momentum_big_end
             - arm_rod_x * momentum_bearing;
+        /// 1 over it, or NaN if it is only rounding error: there, constraints are dependent
         let inverse_inertia_loop_1 = ::newton_euler::private::determined(
             inertia_loop_1,
             0.0001038,

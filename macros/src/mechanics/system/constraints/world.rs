@@ -71,7 +71,10 @@ impl Placed {
             labels.matrix(&format!("axes_{link}"), rows);
         }
         labels.vector(&format!("place_{link}"), self.origin);
-        labels.vector_or_one("w_world", link, self.w);
+        // about z, the axes make no difference
+        let [x, y, _] = self.w;
+        let w = if x == y { "w" } else { "w_world" };
+        labels.vector_or_one(w, link, self.w);
         labels.vector_or_one("turning_drift", link, self.alpha);
         labels.vector(&format!("v_{link}"), self.velocity);
         labels.vector(&format!("drift_{link}"), self.acceleration);

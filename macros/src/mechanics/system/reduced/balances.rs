@@ -5,6 +5,7 @@ use crate::model::Workspace;
 use crate::symbolic::{Graph, Id};
 
 use super::block::{Block, Way, next_rows, numerators, solved, way};
+use super::together::GUARDED;
 
 /// A constraint row: `sum of slopes * x = right`.
 #[derive(Clone)]
@@ -208,11 +209,12 @@ impl<'w> Balances<'w> {
             row.sizes.push(bound);
         }
         let coordinate = self.stand_for(own, &along, inertia);
-        let labels = &mut self.work.labels;
+        let Workspace { graph, labels, .. } = &mut *self.work;
         for ((one, along), momentum) in own.iter().zip(&along).zip(&momentum) {
             let name = &self.all[*one].name;
             // a share may be an arm, which has a meaning of its own
-            if labels.get(*along).is_none() {
+            let (_, arm) = graph.split_sign(*along);
+            if labels.get(arm).is_none() {
                 labels.explain([*along], "rate of a joint by that of the independent joint");
             }
             labels.explain(
@@ -226,6 +228,7 @@ impl<'w> Balances<'w> {
         labels.explain([inertia], "inertia that the independent joint moves");
         labels.name(inertia, format!("inertia_{name}"));
         labels.name(inverse, format!("inverse_inertia_{name}"));
+        labels.explain([inverse], GUARDED);
         Some(Block {
             rows: known.rows,
             coordinates: known.coordinates,

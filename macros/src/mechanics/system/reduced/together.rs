@@ -14,6 +14,10 @@ pub struct LoadedRow {
     pub own: Id,
 }
 
+/// What guarded reciprocals are, for generated code.
+pub const GUARDED: &str =
+    "1 over it, or NaN if it is only rounding error: there, constraints are dependent";
+
 /// Names the equations that elimination leaves; `names` are those of the coordinates and rows.
 pub fn label(labels: &mut Labels, solved: &Elimination, names: &[String]) {
     for (equation, row) in solved.left.iter().zip(names) {
@@ -22,6 +26,7 @@ pub fn label(labels: &mut Labels, solved: &Elimination, names: &[String]) {
         }
         labels.name(equation.right, format!("{row}_to_balance"));
     }
+    labels.explain(solved.pivots.iter().map(|(_, inverse)| *inverse), GUARDED);
 }
 
 /// `M x - P l = f`, `A x + c l = r`. The matrix is not definite. The loads, whose divisors are

@@ -2,6 +2,7 @@
 //! steps, and with itself.
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
+mod counters;
 mod scenes;
 
 use newton_euler::integrate;

@@ -141,7 +141,7 @@ fn write_path(writer: &Writer<'_>, flow: &SystemFlow, name: &Ident) -> Method {
     let outputs: Vec<Id> = courses.flat_map(|course| roots(course, axes)).collect();
     Method::write(writer, &outputs, |values| {
         let fields = flow.joints.iter().map(|(joint, shape, course)| {
-            let path = joint_path((writer, flow), joint, (shape, course), values);
+            let path = joint_path(writer, joint, (shape, course), values);
             quote!(#joint: #path)
         });
         let fields: Vec<TokenStream> = fields.collect();
@@ -151,13 +151,13 @@ fn write_path(writer: &Writer<'_>, flow: &SystemFlow, name: &Ident) -> Method {
 
 /// `CounterSwing::new(&state.wheel, (Pendulum::new(..), &state.bob), 1.0, ..)`
 fn counter_path(
-    (writer, flow): (&Writer<'_>, &SystemFlow),
+    writer: &Writer<'_>,
     place: &TokenStream,
     counter: &Counter,
     values: &mut Values<'_>,
 ) -> TokenStream {
     let (shapes, state) = (&writer.shapes, local("state"));
-    let (private, swing) = (&shapes.private, &flow.joints[counter.swing].0);
+    let (private, swing) = (&shapes.private, &counter.swing);
     let swing = quote!(#state.#swing);
     let start = Start {
         shapes,
@@ -184,7 +184,7 @@ fn counter_path(
 }
 
 fn joint_path(
-    (writer, flow): (&Writer<'_>, &SystemFlow),
+    writer: &Writer<'_>,
     joint: &Ident,
     (shape, course): (&Shape, &Course),
     values: &mut Values<'_>,
@@ -193,7 +193,7 @@ fn joint_path(
     let (private, place) = (&shapes.private, quote!(#state.#joint));
     let (rotation, center) = match course {
         Course::Counter(counter) => {
-            return counter_path((writer, flow), &place, counter, values);
+            return counter_path(writer, &place, counter, values);
         }
         Course::Uniform(_) => {
             let acceleration = shapes.joint_acceleration(shape, values);

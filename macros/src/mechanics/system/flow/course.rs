@@ -1,5 +1,7 @@
 //! The closed form of the motion of one joint. Its accelerations are proved to have this form.
 
+use proc_macro2::Ident;
+
 use crate::mechanics::closed_forms::{
     Gyrostat, Rotation, Solid, Turning, at_rest, constants, free, swing, symmetric,
 };
@@ -24,8 +26,8 @@ pub enum Course {
 /// A hinge on a pendulum. The sum of its angle and that of the pendulum, about the same direction,
 /// has a constant acceleration.
 pub struct Counter {
-    /// The joint of the pendulum.
-    pub swing: usize,
+    /// The name of the joint of the pendulum.
+    pub swing: Ident,
     /// The rate of small oscillations of the pendulum, and the angle at which it hangs.
     pub pendulum: [Id; 2],
     /// Whether the pendulum also translates.
@@ -102,7 +104,7 @@ impl SolvedJoint<'_> {
                     graph.add(own, its)
                 };
                 Some(Counter {
-                    swing,
+                    swing: self.system.joints[swing].name.clone(),
                     pendulum: [*rate, *hanging],
                     translates: center.is_some(),
                     is_opposite,

@@ -32,6 +32,13 @@ pub fn is_keyword(word: &str) -> bool {
     KEYWORDS.contains(&word)
 }
 
+/// `arm_tip` of `arm` and `tip`, at the place of the second.
+pub fn joined(first: &Ident, second: &Ident) -> Ident {
+    let [first, name] = [first, second].map(|word| word.to_string());
+    let [first, name] = [&first, &name].map(|word| word.trim_start_matches("r#"));
+    Ident::new(&format!("{first}_{name}"), second.span())
+}
+
 /// Whether generated code can use `name` as it is; if not, the error is reported.
 pub fn check_name(name: &Ident, what: &str, errors: &mut Errors) -> Option<()> {
     let word = name.to_string();

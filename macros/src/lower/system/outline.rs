@@ -7,7 +7,7 @@ use quote::format_ident;
 
 use crate::errors::similar;
 use crate::model::{Holds, JointKind, Jointed, Outline};
-use crate::syntax::{self, Definition, Expression, Kind, call};
+use crate::syntax::{self, Definition, Expression, Kind, call, joined};
 
 use super::drives::open_drive;
 use super::joints::driven::coordinates;
@@ -67,7 +67,7 @@ pub fn outline_system(system: &syntax::System, outline: &mut Outline) {
 fn loads_of_constraints(system: &syntax::System) -> Vec<Ident> {
     let of_bodies = system.bodies.iter().flat_map(|body| {
         let written = body.constraints.iter();
-        written.map(|one| format_ident!("{}_{}", body.name, one.name, span = one.name.span()))
+        written.map(|one| joined(&body.name, &one.name))
     });
     let written = system.top.constraints.iter().map(|one| one.name.clone());
     let names = written.chain(of_bodies).flat_map(|name| {
@@ -118,7 +118,7 @@ pub fn name_of_point(written: &Expression) -> Option<Ident> {
     let Kind::Name(body) = &body.kind else {
         return None;
     };
-    Some(format_ident!("{body}_{point}", span = point.span()))
+    Some(joined(body, point))
 }
 
 /// The kind of a joint; if it is unreadable, a likely kind.

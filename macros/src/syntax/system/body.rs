@@ -1,7 +1,6 @@
 //! The bodies of a system, each in its braces.
 
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenTree};
-use quote::format_ident;
 
 use crate::errors::{Errors, Extent, similar};
 use crate::syntax::entries::{
@@ -9,7 +8,7 @@ use crate::syntax::entries::{
 };
 use crate::syntax::expression::{Expression, Kind};
 use crate::syntax::tokens::{Entry, comma, is_punct, split, start, stream, without_attributes};
-use crate::syntax::words::check_name;
+use crate::syntax::words::{check_name, joined};
 use crate::syntax::{Definition, Description};
 
 use super::{OF_SYSTEMS, System, no_choice_of_joints};
@@ -290,7 +289,7 @@ fn is_copies(word: &str) -> bool {
 /// The body `body_name`, with its inertia along the direction of the copy.
 fn copied(body: &Description, copy: &Definition) -> Description {
     let mut copied = body.clone();
-    copied.name = format_ident!("{}_{}", body.name, copy.name, span = copy.name.span());
+    copied.name = joined(&body.name, &copy.name);
     let written = copied
         .inertia
         .as_mut()

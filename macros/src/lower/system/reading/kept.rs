@@ -1,12 +1,11 @@
 //! Constraints while they are read, and their loads.
 
 use proc_macro2::Ident;
-use quote::format_ident;
 
 use crate::lower::expressions::{Lowering, Value};
 use crate::model::{Constraint, Declared, Dimension, Frame, Level, Meaning};
 use crate::symbolic::{Components, Id, Stage};
-use crate::syntax::{Definition, Description};
+use crate::syntax::{Definition, Description, joined};
 
 use super::reader::Reader;
 
@@ -21,7 +20,7 @@ impl Reader<'_> {
             if let Some(body) = body {
                 let place = &constraint.place;
                 constraint.name = format!("{body}_{}", constraint.name);
-                constraint.place = format_ident!("{body}_{place}", span = place.span());
+                constraint.place = joined(body, place);
             }
             kept.list.push(constraint);
             kept.loads.push(load);

@@ -34,7 +34,7 @@ pub fn is_keyword(word: &str) -> bool {
 
 /// `arm_tip` of `arm` and `tip`, at the place of the second.
 pub fn joined(first: &Ident, second: &Ident) -> Ident {
-    let [first, name] = [first, second].map(|word| word.to_string());
+    let [first, name] = [first, second].map(ToString::to_string);
     let [first, name] = [&first, &name].map(|word| word.trim_start_matches("r#"));
     Ident::new(&format!("{first}_{name}"), second.span())
 }

@@ -3,4 +3,5 @@
 
 mod change_points;
 mod cranks;
+mod doors;
 mod space;

@@ -441,3 +441,41 @@ fn angles_by_their_tangents_have_algebraic_sines() {
     let three_quarters = of(Function::Atan2, &[integer(4), integer(3)]) * integer(2) + Number::pi();
     assert_eq!(of(Function::Cos, &[three_quarters]), parse("0.28"));
 }
+
+/// Sines and cosines of sums of multiples of 5 degrees are proved to be sums of products, also where
+/// they have roots; others are not mistaken for each other.
+#[test]
+fn sums_of_fractions_of_a_turn_are_exact() {
+    let degrees = |count: i64| Number::pi() * Number::ratio(count, 180);
+    let (sine, cosine) = (
+        |count: i64| at(Function::Sin, &degrees(count)),
+        |count: i64| at(Function::Cos, &degrees(count)),
+    );
+    for (a, b) in [(10, 20), (5, 45), (25, 35), (70, 85), (50, -20), (100, 155)] {
+        let sum = sine(a) * cosine(b) + cosine(a) * sine(b);
+        assert_eq!(sum, sine(a + b), "{a}, {b}");
+        let other = cosine(a) * cosine(b) - sine(a) * sine(b);
+        assert_eq!(other, cosine(a + b), "{a}, {b}");
+        assert_ne!(sum.residue(), cosine(a + b).residue(), "{a}, {b}");
+        assert_ne!((-sum).residue(), sine(a + b).residue(), "{a}, {b}");
+    }
+    let twice = |number: Number| number.clone() + number;
+    let cubed = cosine(20) * cosine(20) * cosine(20);
+    let expected = Number::integer(6) * cosine(20) + Number::one();
+    assert_eq!(Number::integer(8) * cubed, expected);
+    for count in (5..90).step_by(5) {
+        for other in (5..count).step_by(5) {
+            assert_ne!(
+                sine(count).residue(),
+                sine(other).residue(),
+                "{count}, {other}"
+            );
+            assert_ne!(
+                sine(count).residue(),
+                (-cosine(other)).residue(),
+                "{count}, {other}"
+            );
+        }
+        assert_eq!(twice(sine(count) * cosine(count)), sine(2 * count));
+    }
+}

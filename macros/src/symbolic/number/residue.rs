@@ -144,6 +144,66 @@ fn times(a: u128, b: u128) -> u128 {
     plus(reduced(high), low)
 }
 
+/// The order of a root of unity z, by whose powers sines and cosines of fractions of a turn have
+/// residues:
+///
+/// ```text
+/// e^(i turn) = z^k,  z^ORDER = 1:    cos = (z^k + z^-k) / 2,  sin = (z^k - z^-k) / 2 i
+/// ```
+///
+/// So sums and multiples of such angles have the residues that they should have. Multiples of 5
+/// degrees are fractions of a turn that z has, and so are their halves, but not 1 degree. The order
+/// divides `PRIME^2 - 1 = 2^128 (2^126 - 1)`, which five does not.
+pub(super) const ORDER: u32 = 27 << TWOS;
+const TWOS: u32 = 20;
+
+fn power(mut base: Residue, mut exponent: u128) -> Residue {
+    let mut power = Residue::ONE;
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            power = power * base;
+        }
+        base = base * base;
+        exponent >>= 1;
+    }
+    power
+}
+
+/// The root of unity with which a 24th of a turn has these residues of its cosine and sine.
+pub(super) fn root_of_unity([cosine, sine]: [Residue; 2]) -> Option<Residue> {
+    let i = Residue {
+        real: 0,
+        imaginary: 1,
+    };
+    let of_24 = cosine + i * sine;
+    let any = (0_u8..64).map(|seed| Residue::stand_in(&seed) + i * Residue::stand_in(&(seed, 1)));
+    let mut roots = any.map(|any| {
+        let twos = (0..128 - TWOS).fold(any, |power, _| power * power);
+        power(twos, (PRIME / 2) / 27)
+    });
+    let root = roots.find(|root| {
+        let is_one = |part: u32| power(*root, u128::from(ORDER / part)) == Residue::ONE;
+        !is_one(2) && !is_one(3)
+    })?;
+    let unit = power(root, u128::from(ORDER / 24));
+    let turns = [1, 5, 7, 11, 13, 17, 19, 23].into_iter();
+    let mut same = turns.filter(|turns| power(unit, *turns) == of_24);
+    Some(power(root, same.next()?))
+}
+
+/// The residues of the cosine and the sine of this many parts of a turn, of which it has [`ORDER`].
+pub(super) fn on_circle(z: Residue, count: i64) -> Option<[Residue; 2]> {
+    let count = count.rem_euclid(i64::from(ORDER));
+    let turned = power(z, u128::try_from(count).ok()?);
+    let back = turned.reciprocal()?;
+    let half = Residue::real(PRIME.div_ceil(2));
+    let minus_i = Residue {
+        real: 0,
+        imaginary: PRIME - 1,
+    };
+    Some([(turned + back) * half, (turned + -back) * half * minus_i])
+}
+
 impl Add for Residue {
     type Output = Self;
     fn add(self, other: Self) -> Self {

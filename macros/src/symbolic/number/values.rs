@@ -7,7 +7,7 @@ use super::exact::Number;
 use super::float::Float;
 use super::function::Function;
 use super::irrational::root_residue;
-use super::residue::Residue;
+use super::residue::{ORDER, Residue, on_circle, root_of_unity};
 
 /// Powers with integer exponents up to this one are multiplied out; others are exponentials.
 const POWERS: i64 = 1 << 10;
@@ -17,6 +17,16 @@ const SMALLEST: i64 = 10_000;
 const ENDLESS: usize = 1 << 14;
 /// The highest degree of roots that are tried for a rational value.
 const ROOTS: usize = 12;
+
+thread_local! {
+    static ROOT_OF_UNITY: Option<Residue> = {
+        let of_24 = [5, 1].map(|twelfth| Some(sine_of_twelfths(twelfth)?.residue()));
+        match of_24 {
+            [Some(cosine), Some(sine)] => root_of_unity([cosine, sine]),
+            _ => None,
+        }
+    };
+}
 
 impl Number {
     /// The value of a function, or `None` outside its domain or the range of doubles.
@@ -223,6 +233,26 @@ impl Number {
         }
     }
 
+    /// The sine or cosine of an angle of this many half turns.
+    fn of_half_turns(half_turns: &Self, function: Function) -> Option<Self> {
+        let angle = half_turns.clone() * Self::pi();
+        let root = ROOT_OF_UNITY.with(|root| *root);
+        let count = half_turns.clone() * Self::integer(i64::from(ORDER / 2));
+        let residues = root.zip(count.to_integer());
+        let residues = residues.and_then(|(root, count)| on_circle(root, count));
+        match residues {
+            Some([cosine, sine]) => {
+                let residue = if function == Function::Sin {
+                    sine
+                } else {
+                    cosine
+                };
+                Self::value_of(function, &angle, Some(residue))
+            }
+            None => angle.on_circle(function),
+        }
+    }
+
     /// The sine or cosine of an angle, by the tangent of half the angle.
     fn on_circle(&self, function: Function) -> Option<Self> {
         let tangent = Residue::stand_in(&(Function::Tan, self.residue()));
@@ -305,9 +335,9 @@ fn sine_of_half_turns(turns: Number) -> Option<Number> {
         return sine_of_twelfths(twelfth);
     }
     if turns > Number::ratio(1, 4) {
-        ((half - turns) * Number::pi()).on_circle(Function::Cos)
+        Number::of_half_turns(&(half - turns), Function::Cos)
     } else {
-        (turns * Number::pi()).on_circle(Function::Sin)
+        Number::of_half_turns(&turns, Function::Sin)
     }
 }
 

@@ -185,7 +185,13 @@ impl Reader<'_> {
                 }
             };
             match (found, &mut turned) {
-                (Some(turn), Some(all)) => all.push(turn),
+                (Some((axis, angle)), Some(all)) => match all.last_mut() {
+                    // exact, before there are sines
+                    Some((same, sum)) if *same == axis => {
+                        *sum = self.work.graph.add(*sum, angle);
+                    }
+                    _ => all.push((axis, angle)),
+                },
                 _ => turned = None,
             }
         }

@@ -3,6 +3,7 @@
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 mod counters;
+mod oblique_tops;
 mod scenes;
 
 use newton_euler::integrate;

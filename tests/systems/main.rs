@@ -32,6 +32,7 @@ mod open;
 mod oracle;
 mod params;
 mod plane;
+mod points;
 mod potentials;
 #[path = "../reference/mod.rs"]
 mod reference;

@@ -40,9 +40,14 @@ impl Lowering<'_> {
             } else {
                 "principal(1, 2, 3)[kg * m ^ 2]"
             };
+            let of_a_point = match (self.state.swings, self.motion.has_one_moment()) {
+                (false, _) => "",
+                (true, true) => ", for a point mass `inertia: 0[kg * m ^ 2]`",
+                (true, false) => ", for a point mass `inertia: principal(0, 0, 0)[kg * m ^ 2]`",
+            };
             return self.report(
                 name.span(),
-                format!("`{name}` turns and has no inertia: write `inertia: {form}`"),
+                format!("`{name}` turns and has no inertia: write `inertia: {form}`{of_a_point}"),
             );
         };
         let value = written.value.as_ref()?;
@@ -51,7 +56,7 @@ impl Lowering<'_> {
         let turns = self.motion.has_attitude();
         match &base(value).kind {
             Kind::Call(word, _) if word == "rod" && !self.motion.has_one_moment() => {
-                if turns {
+                if turns && !self.state.swings {
                     let under = self.under();
                     return self.report(
                         word.span(),

@@ -11,7 +11,7 @@ use crate::lower::expressions::Lowering;
 use crate::model::{
     AXES, Defaults, Inertia, Matrix, Orientation, Violation, least_moment, matrix, shown, thinnest,
 };
-use crate::symbolic::{Id, Number};
+use crate::symbolic::{Components, Id, Number};
 
 use super::draft::Draft;
 
@@ -31,6 +31,10 @@ impl Lowering<'_> {
             Inertia::Scalar(_) if numbers[0].is_positive() => Some(()),
             // a point mass may swing about a pin at a distance
             Inertia::Scalar(_) if numbers[0].is_zero() && self.is_held_off_center() => Some(()),
+            Inertia::Scalar(_) if numbers[0].is_zero() => self.report(
+                draft.extent,
+                "a point mass turns only about another point than its G: hold it there by a hinge, or give it an inertia",
+            ),
             Inertia::Scalar(_) => self.report(
                 draft.extent,
                 format!(
@@ -40,7 +44,12 @@ impl Lowering<'_> {
             ),
             Inertia::Spatial(_) => {
                 let matrix = matrix(&numbers);
-                match Violation::find(&matrix) {
+                let violation = if self.state.swings {
+                    Violation::unbalanced(&matrix)
+                } else {
+                    Violation::find(&matrix)
+                };
+                match violation {
                     None => Some(()),
                     Some(violation) => {
                         self.report_violation(draft, &violation, &matrix, &numbers[9..])
@@ -54,7 +63,8 @@ impl Lowering<'_> {
     /// few correct digits (H1), although its inertia is possible. If the inertia depends on
     /// parameters, `new` checks it.
     pub fn check_not_a_rod(&mut self, inertia: Inertia, place: Extent) -> Option<()> {
-        if self.motion.orientation != Orientation::Quaternion || self.motion.is_supported() {
+        let is_held = self.motion.is_supported() || self.state.swings;
+        if self.motion.orientation != Orientation::Quaternion || is_held {
             return Some(());
         }
         let graph = &self.work.graph;
@@ -85,7 +95,8 @@ impl Lowering<'_> {
     /// Whether a point other than G is held.
     fn is_held_off_center(&self) -> bool {
         let support = self.state.support;
-        support.is_some_and(|support| !self.work.graph.is_zero_vector(&support.offset))
+        let is_off = |offset: &Components| !self.work.graph.is_zero_vector(offset);
+        self.state.swings || support.is_some_and(|support| is_off(&support.offset))
     }
 
     /// Checks that each known moment is positive, whatever the other entries are.
@@ -98,7 +109,7 @@ impl Lowering<'_> {
             let known = self.work.graph.as_number(entry.value);
             let is_point = |moment: &Number| {
                 let is_held = self.motion.is_planar && self.is_held_off_center();
-                moment.is_zero() && (is_held || self.motion.is_line())
+                moment.is_zero() && (is_held || self.state.swings || self.motion.is_line())
             };
             let wrong = |moment: &&Number| !moment.is_positive() && !is_point(moment);
             if let Some(moment) = known.filter(wrong) {

@@ -108,6 +108,24 @@ impl Violation {
                 });
             }
         }
+        let singular = || {
+            let is_singular = !determinant(&|i, k| j[i][k].clone()).is_positive();
+            is_singular
+                .then(|| Self::whole("turned to its principal axes, one moment is not positive"))
+        };
+        Self::unbalanced(j).or_else(singular)
+    }
+
+    fn whole(message: &str) -> Self {
+        Self {
+            entry: None,
+            message: message.to_owned(),
+        }
+    }
+
+    /// The first violated condition among those that also point masses and rods meet: the second
+    /// moments of a distribution of mass are not negative.
+    pub fn unbalanced(j: &Matrix) -> Option<Self> {
         let sigma = |i: usize, k: usize| second_moment(j, i, k);
         for (i, axis) in AXES.iter().enumerate() {
             let (k, l) = ((i + 1) % 3, (i + 2) % 3);
@@ -135,20 +153,10 @@ impl Violation {
                 });
             }
         }
-        let whole = |message: &str| {
-            Some(Self {
-                entry: None,
-                message: message.to_owned(),
-            })
-        };
-        if determinant(&sigma).is_negative() {
-            return whole(
+        determinant(&sigma).is_negative().then(|| {
+            Self::whole(
                 "turned to its principal axes, one moment is larger than the other two together",
-            );
-        }
-        if !determinant(&|i, k| j[i][k].clone()).is_positive() {
-            return whole("turned to its principal axes, one moment is not positive");
-        }
-        None
+            )
+        })
     }
 }

@@ -33,6 +33,8 @@ pub struct State {
     pub axis: Option<Axis>,
     /// The support of the body, once it is read.
     pub support: Option<Support>,
+    /// Whether, in a system, a hinge carries it whose axis does not pass through G.
+    pub swings: bool,
 }
 
 impl State {
@@ -185,6 +187,7 @@ pub fn state_symbols(motion: Motion, work: &mut Workspace) -> State {
         angle,
         axis,
         support: None,
+        swings: false,
     }
 }
 

@@ -70,7 +70,12 @@ impl Reader<'_> {
         let frames = moving.through(work, body, &written, &coordinates);
         let [position, velocity, acceleration] = moving.center(work, body, written.pin);
         let still = still(body, self.time);
+        let arm = match written.directions.first() {
+            Some(axis) if !self.system.is_planar => work.graph.cross(*axis, written.pin),
+            _ => written.pin,
+        };
         let state = State {
+            swings: kind.is_hinge() && !work.graph.is_zero_vector(&arm),
             position,
             velocity,
             acceleration,

@@ -146,6 +146,7 @@ pub fn still(body: Frame, time: Id) -> State {
         angular_acceleration: zeros,
         axis: None,
         support: None,
+        swings: false,
     }
 }
 

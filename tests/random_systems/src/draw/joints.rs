@@ -4,7 +4,7 @@ use super::Drawing;
 use super::number::{Written3, literal};
 use crate::law::kind::{Kind, turn};
 use crate::law::scene::Prescribed;
-use crate::law::space::{Vec3, ZERO, apply, cross, dot, identity, transposed, unit};
+use crate::law::space::{Vec3, ZERO, apply, cross, diagonal, dot, identity, transposed, unit};
 use crate::wide::Wide;
 
 /// From a point to a point, as they are written.
@@ -45,6 +45,7 @@ impl Drawing {
         let (from, place) = self.place(carrier, &format!("c{number}"), self.extent.places);
         let (to, pin) = self.place(Some(number), &format!("q{number}"), self.extent.pins);
         let (word, kind) = self.kind(&Ends { from, to });
+        self.point_mass(number, kind, pin);
         let turned = self.turned();
         let driven = self.driven(kind);
         let (word, kind) = self.in_axes_of_the_carrier(carrier, word, kind, turned.as_ref());
@@ -60,6 +61,30 @@ impl Drawing {
             link.driven = Some(functions);
         }
         self.joints.push(word);
+    }
+
+    /// Makes some bodies on hinges off their G point masses.
+    fn point_mass(&mut self, number: usize, kind: Kind, pin: Vec3) {
+        let Kind::Revolute(axis) = kind else { return };
+        let arm = cross(axis, pin);
+        let is_off = arm.iter().any(|part| part.high.abs() > 0.05);
+        // what else is drawn does not depend on it
+        let is_wanted = self.numbers.rng.clone().usize(0..4) == 0;
+        if !is_off || !is_wanted || self.alike_as(number).len() > 1 {
+            return;
+        }
+        let moment = if self.is_planar {
+            "0[kg * m ^ 2]"
+        } else {
+            "principal(0, 0, 0)[kg * m ^ 2]"
+        };
+        self.bodies[number].inertia = moment.to_owned();
+        let beside = if self.is_planar {
+            Wide::ONE
+        } else {
+            Wide::ZERO
+        };
+        self.links[number].inertia = diagonal([beside, beside, Wide::ZERO]);
     }
 
     /// What is written with a body alone.

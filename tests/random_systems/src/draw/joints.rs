@@ -78,7 +78,7 @@ impl Drawing {
         } else {
             "principal(0, 0, 0)[kg * m ^ 2]"
         };
-        self.bodies[number].inertia = moment.to_owned();
+        moment.clone_into(&mut self.bodies[number].inertia);
         let beside = if self.is_planar {
             Wide::ONE
         } else {

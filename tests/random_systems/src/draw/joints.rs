@@ -45,10 +45,10 @@ impl Drawing {
         let (from, place) = self.place(carrier, &format!("c{number}"), self.extent.places);
         let (to, pin) = self.place(Some(number), &format!("q{number}"), self.extent.pins);
         let (word, kind) = self.kind(&Ends { from, to });
-        self.point_mass(number, kind, pin);
         let turned = self.turned();
         let driven = self.driven(kind);
         let (word, kind) = self.in_axes_of_the_carrier(carrier, word, kind, turned.as_ref());
+        self.point_mass(number, kind, pin);
         let link = &mut self.links[number];
         (link.carrier, link.place, link.pin, link.kind) = (carrier, place, pin, kind);
         let mut word = word;

@@ -177,13 +177,21 @@ fn snapshots() {
     for (name, description) in bodies() {
         check(name, &pretty(description));
     }
-    let systems = [
-        ("double_pendulum", double_pendulum()),
-        ("slider_crank", slider_crank()),
-    ];
-    for (name, description) in systems {
-        check(name, &printed(expand_system(description)));
-    }
+    check(
+        "double_pendulum",
+        &printed(expand_system(double_pendulum())),
+    );
+    // of a loop, the accelerations: projection and reactions repeat most of their lines
+    let crank = printed(expand_system(slider_crank()));
+    check("slider_crank", implementation(&crank, "RigidBody"));
+}
+
+/// The implementation of a trait in an expansion.
+fn implementation<'e>(expansion: &'e str, of: &str) -> &'e str {
+    let start = format!("\nimpl ::newton_euler::private::{of} for ");
+    let (_, rest) = expansion.split_at(expansion.find(&start).expect("an implementation") + 1);
+    let end = rest.find("\n}\n").expect("its end");
+    &rest[..end + "\n}\n".len()]
 }
 
 #[test]

@@ -13,10 +13,10 @@ use proc_macro2::{Ident, Span};
 use crate::mechanics::tree::link::{Freedom, Tree};
 use crate::mechanics::tree::{Built, motions};
 use crate::model::{Labels, Property, System, TreeJoint, Workspace};
-use crate::symbolic::{Id, Number};
+use crate::symbolic::Id;
 
 use super::added_to_link::AddedToLink;
-use super::definite::{is_by_default, is_known_sign};
+use super::definite::{is_by_default, is_known_sign, is_not_negative};
 
 /// The inertia that all loads together add.
 #[derive(Default)]
@@ -59,8 +59,8 @@ impl Added {
                 let armature = armature(work, freedom, *symbol)?;
                 if !is_known_sign(&work.graph, armature, &masses) {
                     let value = work.graph.add(freedom.armature, armature);
-                    let is_possible = |number: &Number| !number.is_negative();
-                    if !is_by_default(&mut work.graph, &[value], &system.defaults, is_possible) {
+                    let (graph, defaults) = (&mut work.graph, &system.defaults);
+                    if !is_by_default(graph, &[value], defaults, is_not_negative) {
                         return None;
                     }
                     properties.push(Property {

@@ -4,7 +4,7 @@ use crate::mechanics::tree::{LinkMotion, SpatialInertia, SpatialVector, wrench};
 use crate::model::{Defaults, Felt, Load, Member, Property, Workspace};
 use crate::symbolic::{Components, Graph, Id, Number};
 
-use super::definite::{is_by_default, pivots_of_sum, unknown_signs};
+use super::definite::{is_by_default, is_not_negative, pivots_of_sum, unknown_signs};
 
 /// The inertia that the loads on a link add, in its axes.
 pub struct AddedToLink {
@@ -125,15 +125,18 @@ fn conditions(
     let pivots = pivots.filter(|pivots| {
         graph.are_early(pivots) && is_by_default(graph, pivots, defaults, is_positive)
     });
-    let is_no_sign = |number: &Number| !number.is_negative() && !number.is_undecided();
-    let is_possible = |signs: &Vec<Id>| is_by_default(graph, signs, defaults, is_no_sign);
+    let is_possible = |signs: &Vec<Id>| is_by_default(graph, signs, defaults, is_not_negative);
     let (word, values, may_vanish) = match pivots {
         Some(pivots) => ("inertia with added mass", pivots, false),
         None => ("added mass", signs.find(is_possible)?, true),
     };
-    let open = values.into_iter();
-    let open = open.filter(|value| work.graph.as_number(*value).is_none());
-    let properties = open.map(|value| Property {
+    let mut open: Vec<Id> = Vec::new();
+    for value in values {
+        if work.graph.as_number(value).is_none() && !open.contains(&value) {
+            open.push(value);
+        }
+    }
+    let properties = open.into_iter().map(|value| Property {
         of: body.name.clone(),
         word,
         value,

@@ -103,6 +103,11 @@ pub fn pivots_of_sum(graph: &mut Graph, own: &[Vec<Id>], added: &[Vec<Id>]) -> O
     Some(pivots)
 }
 
+/// Whether a number is told not to be negative.
+pub fn is_not_negative(number: &Number) -> bool {
+    !number.is_negative() && !number.is_undecided()
+}
+
 /// Whether values have a property with the defaults of parameters, if these have defaults.
 pub fn is_by_default(
     graph: &mut Graph,

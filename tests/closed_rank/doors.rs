@@ -26,30 +26,40 @@ door!(TenAndTwenty 10[deg], 20[deg]; 30[deg]);
 door!(Odd 20.3[deg], 35.4[deg]; 55.7[deg]);
 door!(Eighths 22.5[deg], 22.5[deg]; 45[deg]);
 
-// the frame is tilted first, and the door on it
-rigid_system!(Framed {
-    bodies: [
-        frame {
-            mass: 1[kg],
-            inertia: principal(1, 1, 1)[kg * m ^ 2]
-        },
-        door {
-            mass: 1.3[kg],
-            inertia: principal(0.1, 0.2, 0.17)[kg * m ^ 2],
-            points: [
-                o = (0.3, 0, 0),
-                p = (0.3, 0.5 * 45[deg].sin(), 0.5 * 45[deg].cos())
+/// A door on a frame that is tilted first, and the door on it.
+macro_rules! framed {
+    ($name:ident $first:expr, $second:expr; $whole:expr) => {
+        rigid_system!($name {
+            bodies: [
+                frame {
+                    mass: 1[kg],
+                    inertia: principal(1, 1, 1)[kg * m ^ 2]
+                },
+                door {
+                    mass: 1.3[kg],
+                    inertia: principal(0.1, 0.2, 0.17)[kg * m ^ 2],
+                    points: [
+                        o = (0.3, 0, 0),
+                        p = (0.3, 0.5 * $whole.sin(), 0.5 * $whole.cos())
+                    ],
+                },
             ],
-        },
-    ],
-    joints: [
-        tilted = weld(world(0, 0, 0), frame.G).turned(body(1, 0, 0), 10[deg]),
-        low = revolute(frame.G, door.o, frame.body(0, 10[deg].sin(), 10[deg].cos()))
-            .turned(body(1, 0, 0), 35[deg]),
-        high = revolute(world(0, 0, 0.5), door.p, world(0, 0, 1)).turned(body(1, 0, 0), 45[deg]),
-    ],
-    fields: [weight = mass * world(0, -9.81[m / s ^ 2], 0)],
-});
+            joints: [
+                tilted = weld(world(0, 0, 0), frame.G).turned(body(1, 0, 0), $first),
+                low = revolute(frame.G, door.o, frame.body(0, $first.sin(), $first.cos()))
+                    .turned(body(1, 0, 0), $second),
+                high = revolute(world(0, 0, 0.5), door.p, world(0, 0, 1))
+                    .turned(body(1, 0, 0), $whole),
+            ],
+            fields: [weight = mass * world(0, -9.81[m / s ^ 2], 0)],
+        });
+    };
+}
+framed!(Framed 10[deg], 35[deg]; 45[deg]);
+framed!(Degrees 7[deg], 8[deg]; 15[deg]);
+framed!(Decimals 20.3[deg], 35.4[deg]; 55.7[deg]);
+framed!(Back 41.00007[deg], -12.3[deg]; 28.70007[deg]);
+framed!(Heptagon (2 * PI / 7), (-PI / 5); (3 * PI / 35));
 
 /// The acceleration of a door about the vertical axis through its hinges, tilted by an angle.
 fn expected(tilt: f64, angle: f64) -> f64 {
@@ -84,5 +94,9 @@ fn doors_swing() {
         check!(Odd OddState 55.7);
         check!(Eighths EighthsState 45.0);
         check!(Framed FramedState 45.0);
+        check!(Degrees DegreesState 15.0);
+        check!(Decimals DecimalsState 55.7);
+        check!(Back BackState 28.70007);
+        check!(Heptagon HeptagonState 540.0 / 35.0);
     }
 }

@@ -442,8 +442,8 @@ fn angles_by_their_tangents_have_algebraic_sines() {
     assert_eq!(of(Function::Cos, &[three_quarters]), parse("0.28"));
 }
 
-/// Sines and cosines of sums of multiples of 5 degrees are proved to be sums of products, also where
-/// they have roots; others are not mistaken for each other.
+/// Sines and cosines of sums of degrees are proved to be sums of products, also where they have
+/// roots; others are not mistaken for each other.
 #[test]
 fn sums_of_fractions_of_a_turn_are_exact() {
     let degrees = |count: i64| Number::pi() * Number::ratio(count, 180);
@@ -451,7 +451,7 @@ fn sums_of_fractions_of_a_turn_are_exact() {
         |count: i64| at(Function::Sin, &degrees(count)),
         |count: i64| at(Function::Cos, &degrees(count)),
     );
-    for (a, b) in [(10, 20), (5, 45), (25, 35), (70, 85), (50, -20), (100, 155)] {
+    for (a, b) in [(10, 20), (5, 45), (7, 8), (71, 85), (50, -20), (100, 156)] {
         let sum = sine(a) * cosine(b) + cosine(a) * sine(b);
         assert_eq!(sum, sine(a + b), "{a}, {b}");
         let other = cosine(a) * cosine(b) - sine(a) * sine(b);
@@ -463,6 +463,14 @@ fn sums_of_fractions_of_a_turn_are_exact() {
     let cubed = cosine(20) * cosine(20) * cosine(20);
     let expected = Number::integer(6) * cosine(20) + Number::one();
     assert_eq!(Number::integer(8) * cubed, expected);
+    let root_of_five = at(Function::Sqrt, &Number::integer(5));
+    assert_eq!(
+        Number::integer(4) * cosine(36),
+        Number::one() + root_of_five
+    );
+    let seventh = |count: i64| at(Function::Cos, &(Number::pi() * Number::ratio(2 * count, 7)));
+    let product = Number::integer(8) * seventh(1) * seventh(2) * seventh(3);
+    assert_eq!(product, Number::one());
     for count in (5..90).step_by(5) {
         for other in (5..count).step_by(5) {
             assert_ne!(

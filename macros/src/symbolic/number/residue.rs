@@ -3,8 +3,10 @@
 use core::ops::{Add, Mul, Neg};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// A Mersenne prime. Modulo it, -1 has no square root; of a nonzero `a` and `-a`, exactly one has.
-pub const PRIME: u128 = (1 << 127) - 1;
+/// The largest prime below 2^127 for which `PRIME + 1` is a multiple of [`ORDER`]. Modulo it, -1 has
+/// no square root; of a nonzero `a` and `-a`, exactly one has.
+pub const PRIME: u128 = (1 << 127) - BELOW;
+const BELOW: u128 = 45_263_724_105_729;
 
 /// The bound of numerator and denominator below which a residue determines a fraction. By chance,
 /// one residue in 2^62 has such a fraction.
@@ -50,17 +52,16 @@ impl Residue {
         }
     }
 
-    /// The reciprocal of a nonzero real number, `a^(PRIME - 2)`.
+    /// The reciprocal of a nonzero real number.
     fn inverse(a: u128) -> u128 {
-        // a^(2^count - 1), by doubling the count or adding one to it, up to 125
-        let (mut power, mut count) = (a, 1);
-        for is_odd in [true, true, true, true, false, true] {
-            (power, count) = (times(squared(power, count), power), 2 * count);
-            if is_odd {
-                (power, count) = (times(squared(power, 1), a), count + 1);
-            }
+        power(a, PRIME - 2, 1, times)
+    }
+
+    fn conjugate(self) -> Self {
+        Self {
+            imaginary: minus(self.imaginary),
+            ..self
         }
-        times(squared(power, 2), a)
     }
 
     pub fn reciprocal(self) -> Option<Self> {
@@ -72,18 +73,12 @@ impl Residue {
             return (real != 0).then(|| Self::real(Self::inverse(real)));
         }
         let square = plus(times(real, real), times(imaginary, imaginary));
-        let over = Self::real(Self::inverse(square));
-        (square != 0).then(|| {
-            Self {
-                real,
-                imaginary: minus(imaginary),
-            } * over
-        })
+        (square != 0).then(|| self.conjugate() * Self::real(Self::inverse(square)))
     }
 
     /// The real root of a real number, `a^((PRIME + 1) / 4)`, if it has one.
     fn real_root(a: u128) -> Option<u128> {
-        let root = squared(a, 125);
+        let root = power(a, PRIME.div_ceil(4), 1, times);
         (times(root, root) == a).then_some(root)
     }
 
@@ -110,20 +105,31 @@ impl Residue {
     }
 }
 
-/// `a`, squared this many times.
-fn squared(a: u128, count: u32) -> u128 {
-    (0..count).fold(a, |power, _| times(power, power))
+/// A power of any number, by the digits of the exponent in base 16.
+fn power<T: Copy>(base: T, exponent: u128, one: T, times: impl Fn(T, T) -> T) -> T {
+    let mut powers = [one; 16];
+    for count in 1..16 {
+        powers[count] = times(powers[count - 1], base);
+    }
+    let digits = (0..u128::BITS - exponent.leading_zeros()).step_by(4).rev();
+    digits.fold(one, |power, digit| {
+        let power = (0..4).fold(power, |power, _| times(power, power));
+        times(power, powers[(exponent >> digit & 15) as usize])
+    })
 }
 
 /// The residue of any number of 128 bits.
 fn reduced(a: u128) -> u128 {
-    let folded = (a & PRIME) + (a >> 127);
+    // 2^127 = BELOW
+    let folded = (a & HALF) + (a >> 127) * BELOW;
     if folded >= PRIME {
         folded - PRIME
     } else {
         folded
     }
 }
+
+const HALF: u128 = (1 << 127) - 1;
 
 fn plus(a: u128, b: u128) -> u128 {
     let sum = a + b;
@@ -135,73 +141,70 @@ pub fn minus(a: u128) -> u128 {
 }
 
 fn times(a: u128, b: u128) -> u128 {
-    const LOW: u128 = (1 << 64) - 1;
     let ([a_high, a_low], [b_high, b_low]) = ([a >> 64, a & LOW], [b >> 64, b & LOW]);
-    let middle = a_high * b_low + a_low * b_high;
-    // 2^128 = 2
-    let high = plus(2 * a_high * b_high, 2 * (middle >> 64));
-    let low = plus(reduced((middle & LOW) << 64), reduced(a_low * b_low));
-    plus(reduced(high), low)
+    let [low, middle] = [a_low * b_low, a_high * b_low + a_low * b_high];
+    let high = a_high * b_high + (middle >> 64);
+    let lows = plus(reduced(low), reduced(middle << 64));
+    // the upper half of the high part first
+    let upper = (high >> 64) * OF_128;
+    let rest = ((high & LOW) + (upper >> 64)) * OF_128;
+    plus(lows, plus(reduced(upper << 64), reduced(rest)))
 }
 
-/// The order of a root of unity z, by whose powers sines and cosines of fractions of a turn have
-/// residues:
+const LOW: u128 = (1 << 64) - 1;
+/// 2^128 modulo the prime.
+const OF_128: u128 = 2 * BELOW;
+
+/// The order of a root of unity z. The sines and cosines of fractions of a turn are parts of its
+/// powers, so those of sums and multiples of such angles have the residues that they should have:
 ///
 /// ```text
-/// e^(i turn) = z^k,  z^ORDER = 1:    cos = (z^k + z^-k) / 2,  sin = (z^k - z^-k) / 2 i
+/// e^(i turn k / ORDER) = z^k,   z^ORDER = 1
 /// ```
 ///
-/// So sums and multiples of such angles have the residues that they should have. Multiples of 5
-/// degrees are fractions of a turn that z has, and so are their halves, but not 1 degree. The order
-/// divides `PRIME^2 - 1 = 2^128 (2^126 - 1)`, which five does not.
-pub(super) const ORDER: u32 = 27 << TWOS;
-const TWOS: u32 = 20;
+/// Degrees with up to five decimals are such fractions. The order divides `PRIME + 1`; therefore
+/// the reciprocal of a power is its conjugate, and sines and cosines are real.
+pub(super) const ORDER: u64 = (1 << 12) * 27 * 78_125 * 7 * 11 * 13;
+const FACTORS: [u64; 6] = [2, 3, 5, 7, 11, 13];
 
-fn power(mut base: Residue, mut exponent: u128) -> Residue {
-    let mut power = Residue::ONE;
-    while exponent > 0 {
-        if exponent & 1 == 1 {
-            power = power * base;
-        }
-        base = base * base;
-        exponent >>= 1;
-    }
-    power
-}
-
-/// The root of unity with which a 24th of a turn has these residues of its cosine and sine.
-pub(super) fn root_of_unity([cosine, sine]: [Residue; 2]) -> Option<Residue> {
-    let i = Residue {
-        real: 0,
-        imaginary: 1,
+/// The root of unity for these roots of two, three and five, if it exists.
+pub(super) fn root_of_unity([of_two, of_three, of_five]: [Residue; 3]) -> Option<Residue> {
+    let is_primitive = |root: &Residue| {
+        let is_one = |factor: &u64| on_circle(*root, ORDER / factor) == Residue::ONE;
+        !FACTORS.iter().any(is_one)
     };
-    let of_24 = cosine + i * sine;
-    let any = (0_u8..64).map(|seed| Residue::stand_in(&seed) + i * Residue::stand_in(&(seed, 1)));
-    let mut roots = any.map(|any| {
-        let twos = (0..128 - TWOS).fold(any, |power, _| power * power);
-        power(twos, (PRIME / 2) / 27)
+    let roots = (0_u8..64).map(|seed| {
+        let any = Residue::stand_in(&seed) + I * Residue::stand_in(&(seed, 1));
+        let of_one = any.conjugate() * any.reciprocal()?;
+        let exponent = (PRIME + 1) / u128::from(ORDER);
+        Some(power(of_one, exponent, Residue::ONE, Residue::mul))
     });
-    let root = roots.find(|root| {
-        let is_one = |part: u32| power(*root, u128::from(ORDER / part)) == Residue::ONE;
-        !is_one(2) && !is_one(3)
-    })?;
-    let unit = power(root, u128::from(ORDER / 24));
-    let turns = [1, 5, 7, 11, 13, 17, 19, 23].into_iter();
-    let mut same = turns.filter(|turns| power(unit, *turns) == of_24);
-    Some(power(root, same.next()?))
+    let root = roots.flatten().find(is_primitive)?;
+    // cos(pi / 4) = sqrt(2) / 2,  cos(pi / 6) = sqrt(3) / 2,  cos(2 pi / 5) = (sqrt(5) - 1) / 4
+    let agrees = |root: &Residue| {
+        let twice_cosine = |part: u64| {
+            let cosine = Residue::real(on_circle(*root, ORDER / part).real);
+            cosine + cosine
+        };
+        let of_fifth = twice_cosine(5);
+        on_circle(*root, ORDER / 4) == I
+            && twice_cosine(8) == of_two
+            && twice_cosine(12) == of_three
+            && of_fifth + of_fifth + Residue::ONE == of_five
+    };
+    let is_coprime = |count: &u64| !FACTORS.iter().any(|of| count.is_multiple_of(*of));
+    let powers = (1..1 << 12).filter(is_coprime);
+    powers.map(|count| on_circle(root, count)).find(agrees)
 }
 
-/// The residues of the cosine and the sine of this many parts of a turn, of which it has [`ORDER`].
-pub(super) fn on_circle(z: Residue, count: i64) -> Option<[Residue; 2]> {
-    let count = count.rem_euclid(i64::from(ORDER));
-    let turned = power(z, u128::try_from(count).ok()?);
-    let back = turned.reciprocal()?;
-    let half = Residue::real(PRIME.div_ceil(2));
-    let minus_i = Residue {
-        real: 0,
-        imaginary: PRIME - 1,
-    };
-    Some([(turned + back) * half, (turned + -back) * half * minus_i])
+const I: Residue = Residue {
+    real: 0,
+    imaginary: 1,
+};
+
+/// The residue of `e^(i angle)` for this many parts of a turn, of which it has [`ORDER`].
+pub(super) fn on_circle(root_of_unity: Residue, parts: u64) -> Residue {
+    power(root_of_unity, parts.into(), Residue::ONE, Residue::mul)
 }
 
 impl Add for Residue {

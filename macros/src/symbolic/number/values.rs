@@ -20,11 +20,8 @@ const ROOTS: usize = 12;
 
 thread_local! {
     static ROOT_OF_UNITY: Option<Residue> = {
-        let of_24 = [5, 1].map(|twelfth| Some(sine_of_twelfths(twelfth)?.residue()));
-        match of_24 {
-            [Some(cosine), Some(sine)] => root_of_unity([cosine, sine]),
-            _ => None,
-        }
+        let [two, three, five] = [2, 3, 5].map(|of| root_residue(&Number::integer(of)));
+        root_of_unity([two?, three?, five?])
     };
 }
 
@@ -233,24 +230,22 @@ impl Number {
         }
     }
 
-    /// The sine or cosine of an angle of this many half turns.
+    /// The sine or cosine of this many half turns, of which there are between none and one.
     fn of_half_turns(half_turns: &Self, function: Function) -> Option<Self> {
         let angle = half_turns.clone() * Self::pi();
-        let root = ROOT_OF_UNITY.with(|root| *root);
-        let count = half_turns.clone() * Self::integer(i64::from(ORDER / 2));
-        let residues = root.zip(count.to_integer());
-        let residues = residues.and_then(|(root, count)| on_circle(root, count));
-        match residues {
-            Some([cosine, sine]) => {
-                let residue = if function == Function::Sin {
-                    sine
-                } else {
-                    cosine
-                };
-                Self::value_of(function, &angle, Some(residue))
-            }
-            None => angle.on_circle(function),
-        }
+        let parts = half_turns.clone() * Self::from(RBig::from(ORDER / 2));
+        let parts = parts
+            .to_integer()
+            .and_then(|parts| u64::try_from(parts).ok());
+        let Some((root, parts)) = ROOT_OF_UNITY.with(|root| *root).zip(parts) else {
+            return angle.on_circle(function);
+        };
+        let on_circle = on_circle(root, parts);
+        let residue = match function {
+            Function::Sin => on_circle.imaginary,
+            _ => on_circle.real,
+        };
+        Self::value_of(function, &angle, Some(Residue::real(residue)))
     }
 
     /// The sine or cosine of an angle, by the tangent of half the angle.

@@ -26,7 +26,7 @@ const UNKNOWN: Degree = Degree {
 const MADE: f64 = 64.0;
 /// A proof is wrong in at most one of this many cases: 2^60.
 const CERTAINTY: f64 = 1_152_921_504_606_846_976.0;
-/// 2^127
+/// 2^127, which the prime is just below.
 const PRIME: f64 = CERTAINTY * CERTAINTY * 128.0;
 
 impl Tape<'_> {

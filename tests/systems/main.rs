@@ -3,6 +3,7 @@
 
 mod along_axes;
 mod armatures;
+mod axes_of_params;
 mod balanced;
 mod balances;
 mod compare;

@@ -8,9 +8,7 @@ rigid_system!(Swing {
     joints: [orbit = free(seat), rope = lnk(world(0, 0), seat.p, 2[m])],
 });
 
-// the axis of a screw that closes a loop is made of numbers
 rigid_system!(Thread {
-    params: [slope = 0.3],
     bodies: [
         base { mass: 1[kg], inertia: sphere(1[m]) },
         nut { mass: 1[kg], inertia: sphere(1[m]) },
@@ -18,7 +16,6 @@ rigid_system!(Thread {
     joints: [
         orbit = free(base),
         sleeve = spherical(base.G, nut.G),
-        thread = screw(base.G, nut.G, body(1, slope, 0), 0.1[m]),
         other = screw(base.G, nut.G, body(1, 0, 0), 0[m]),
     ],
 });

@@ -4,11 +4,10 @@ use proc_macro2::Ident;
 
 use crate::errors::Errors;
 use crate::model::{Axes, Dimension, Drawn, Frame, JointKind};
-use crate::symbolic::{Components, Graph, Id, Node};
+use crate::symbolic::{Components, Id};
 use crate::syntax::Expression;
 
 use super::drawing::in_drawing;
-use super::joint::first_name_of;
 use crate::lower::inertia::rotation;
 use crate::lower::system::reading::reader::{Reader, still};
 
@@ -44,15 +43,7 @@ impl Reader<'_> {
         match (kind.axes, directions.as_slice()) {
             (Axes::Own, _) => Some(self.work.graph.unit_vectors().to_vec()),
             (Axes::Normal, [normal]) => {
-                let Some([along, across]) = across(&mut self.work.graph, *normal) else {
-                    let name = first_name_of(&written[0]).map(|name| name.span().into());
-                    errors.push(
-                        name.unwrap_or(written[0].extent),
-                        "the normal of a planar joint is made of numbers: from it follows which way its \
-                         coordinates are measured",
-                    );
-                    return None;
-                };
+                let [along, across] = self.across(*normal);
                 Some(vec![*normal, along, across])
             }
             (Axes::InThePlane, [along]) => Some(vec![*along, self.work.graph.unit_vectors()[2]]),
@@ -242,6 +233,35 @@ impl Reader<'_> {
         message.to_owned()
     }
 
+    /// Two unit vectors that make right-handed axes with a unit vector. They are the two coordinate
+    /// axes that follow the one nearest to its default (the first in a tie), rotated by the smallest
+    /// rotation that takes the nearest axis to the vector. There is none if a parameter reverses the
+    /// vector; then they are not finite.
+    pub fn across(&mut self, normal: Components) -> [Components; 2] {
+        let graph = &mut self.work.graph;
+        let known = graph.substitute(&normal, |id| self.defaults.get(&id).copied());
+        let sizes = graph.evaluate(&known, |_| 0.0);
+        let nearer = |a: usize, b: usize| sizes[b].abs() > sizes[a].abs() * (1.0 + 1e-12);
+        let nearest = (1..3).fold(0, |best, axis| if nearer(best, axis) { axis } else { best });
+        let units = graph.unit_vectors();
+        let [first, mut second] = [1, 2].map(|step| units[(nearest + step) % 3]);
+        let mut axis = units[nearest];
+        if sizes[nearest] < 0.0 {
+            (axis, second) = (graph.negate_vector(axis), graph.negate_vector(second));
+        }
+        // v - (v . n) / (1 + e . n) (e + n), for v perpendicular to e
+        let one = graph.one();
+        let along = graph.dot(axis, normal);
+        let more = graph.add(one, along);
+        let both = graph.add_vectors(axis, normal);
+        [first, second].map(|v| {
+            let lean = graph.dot(v, normal);
+            let share = graph.divide(lean, more);
+            let less = graph.scale_vector(share, both);
+            graph.subtract_vectors(v, less)
+        })
+    }
+
     fn fixed_angle(&mut self, written: &Expression, errors: &mut Errors) -> Option<Id> {
         self.at_top(errors, |lowering| {
             let angle = lowering.scalar(written, Dimension::NONE, "an angle")?;
@@ -249,34 +269,4 @@ impl Reader<'_> {
             Some(angle)
         })
     }
-}
-
-/// Two unit vectors that make right-handed axes with a constant unit vector. They are the two
-/// coordinate axes that follow the one nearest to it (the first in a tie), rotated by the smallest
-/// rotation that takes the nearest axis to the vector.
-pub fn across(graph: &mut Graph, normal: Components) -> Option<[Components; 2]> {
-    let is_symbol = |id: Id| matches!(graph.node(id), Node::Symbol(_));
-    if graph.depends_on(&normal, is_symbol) {
-        return None;
-    }
-    let sizes = graph.evaluate(&normal, |_| 0.0);
-    let nearer = |a: usize, b: usize| sizes[b].abs() > sizes[a].abs() * (1.0 + 1e-12);
-    let nearest = (1..3).fold(0, |best, axis| if nearer(best, axis) { axis } else { best });
-    let units = graph.unit_vectors();
-    let [first, mut second] = [1, 2].map(|step| units[(nearest + step) % 3]);
-    let mut axis = units[nearest];
-    if sizes[nearest] < 0.0 {
-        (axis, second) = (graph.negate_vector(axis), graph.negate_vector(second));
-    }
-    // v - (v . n) / (1 + e . n) (e + n), for v perpendicular to e
-    let one = graph.one();
-    let along = graph.dot(axis, normal);
-    let more = graph.add(one, along);
-    let both = graph.add_vectors(axis, normal);
-    Some([first, second].map(|v| {
-        let lean = graph.dot(v, normal);
-        let share = graph.divide(lean, more);
-        let less = graph.scale_vector(share, both);
-        graph.subtract_vectors(v, less)
-    }))
 }

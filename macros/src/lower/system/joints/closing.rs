@@ -5,7 +5,6 @@ use crate::lower::system::reading::reader::Reader;
 use crate::model::{Axes, Connection};
 use crate::syntax::call;
 
-use super::axes::across;
 use super::joint::ReadJoint;
 
 impl Reader<'_> {
@@ -28,14 +27,7 @@ impl Reader<'_> {
                 self.system.is_planar,
                 &*connection.directions,
             ) {
-                let Some(both) = across(&mut self.work.graph, *axis) else {
-                    errors.push(
-                        written.mention,
-                        "the axis of a joint that closes a loop is made of numbers: from it follows across \
-                         which directions it holds",
-                    );
-                    continue;
-                };
+                let both = self.across(*axis);
                 connection.directions.extend(both);
             }
             if connection

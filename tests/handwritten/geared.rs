@@ -69,6 +69,7 @@ impl Constrained for Geared {
         check(&[Size {
             name: "gear",
             position: Some((position, 3.0)),
+            facing: 1.0,
             velocity: (velocity, 3.0),
         }])
     }
@@ -79,6 +80,7 @@ impl Constrained for Geared {
             [Row {
                 name: "gear",
                 position: Some((position, 3.0)),
+                facing: 1.0,
                 velocity: (velocity, 3.0),
                 shift: List([slope, 3.0, 0.0, 0.0]),
                 push: List([0.0, 0.0, slope, 3.0]),

@@ -38,6 +38,7 @@ mod potentials;
 #[path = "../reference/mod.rs"]
 mod reference;
 mod references;
+mod reversed;
 mod rolling;
 mod screws;
 mod series;

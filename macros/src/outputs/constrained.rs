@@ -101,14 +101,23 @@ fn write_violations(writer: &Writer<'_>, kept: &Kept) -> Method {
     let (shapes, constraints) = (&writer.shapes, &kept.constraints);
     let values = |constraint: &Consistency| {
         let position = constraint.position.map(|(value, _)| value);
-        position.into_iter().chain([constraint.velocity.0])
+        let position = position.into_iter().chain(constraint.facing);
+        position.chain([constraint.velocity.0])
     };
     let outputs: Vec<Id> = constraints.iter().flat_map(values).collect();
     let private = &shapes.private;
     Method::write(writer, &outputs, |values| {
         let list = constraints.iter().map(|constraint| {
             let name = &constraint.name;
-            let position = optional(constraint.position.and_then(|_| values.next().cloned()));
+            let position = constraint.position.map(|_| {
+                let value = values.next();
+                if constraint.facing.is_none() {
+                    return quote!(#value);
+                }
+                let cosine = values.next();
+                quote!(#private::off(#value, #cosine))
+            });
+            let position = optional(position);
             let velocity = values.next();
             quote!(#private::Violation { name: #name, position: #position, velocity: #velocity })
         });
@@ -116,7 +125,7 @@ fn write_violations(writer: &Writer<'_>, kept: &Kept) -> Method {
     })
 }
 
-/// `check([Size { name, position, velocity }, ..])`
+/// `check([Size { name, position, facing, velocity }, ..])`
 fn write_check(writer: &Writer<'_>, kept: &Kept) -> Method {
     let (shapes, constraints) = (&writer.shapes, || kept.constraints.iter().zip(&kept.reach));
     let sized = |(constraint, reach): (&Consistency, &Reach)| {
@@ -125,6 +134,7 @@ fn write_check(writer: &Writer<'_>, kept: &Kept) -> Method {
             .into_iter()
             .flat_map(|((value, _), size)| [value, size]);
         position
+            .chain(constraint.facing)
             .chain([constraint.velocity.0, reach.velocity])
             .collect::<Vec<_>>()
     };
@@ -134,14 +144,15 @@ fn write_check(writer: &Writer<'_>, kept: &Kept) -> Method {
         let list = constraints().map(|(constraint, _)| {
             let name = &constraint.name;
             let position = optional(constraint.position.map(|_| pair(values)));
+            let facing = facing(constraint, values);
             let velocity = pair(values);
-            quote!(#private::Size { name: #name, position: #position, velocity: #velocity })
+            quote!(#private::Size { name: #name, position: #position, facing: #facing, velocity: #velocity })
         });
         quote!(#private::check(&[#(#list),*]))
     })
 }
 
-/// `[Row { name, position, velocity, shift, push, coupling, follows }, ..]`
+/// `[Row { name, position, facing, velocity, shift, push, coupling, follows }, ..]`
 fn write_rows(writer: &Writer<'_>, kept: &Kept) -> Method {
     let (shapes, constraints) = (&writer.shapes, &kept.constraints);
     let values = |constraint: &Consistency| {
@@ -150,6 +161,7 @@ fn write_rows(writer: &Writer<'_>, kept: &Kept) -> Method {
             .position
             .into_iter()
             .flat_map(|(value, size)| [value, size]);
+        let position = position.chain(constraint.facing);
         let measured = position.chain([velocity, size]).collect::<Vec<_>>();
         [
             measured,
@@ -166,6 +178,7 @@ fn write_rows(writer: &Writer<'_>, kept: &Kept) -> Method {
         let list = constraints.iter().map(|constraint| {
             let (name, follows) = (&constraint.name, constraint.follows);
             let position = optional(constraint.position.map(|_| pair(values)));
+            let facing = facing(constraint, values);
             let velocity = pair(values);
             let (mut fast, mut still) = (values.clone(), values.clone());
             let acceleration = shapes.acceleration(values);
@@ -178,6 +191,7 @@ fn write_rows(writer: &Writer<'_>, kept: &Kept) -> Method {
                 #private::Row {
                     name: #name,
                     position: #position,
+                    facing: #facing,
                     velocity: #velocity,
                     shift: #private::State::rate(&#fast, &::core::default::Default::default()),
                     push: #private::State::rate(&#still, &#acceleration),
@@ -196,6 +210,12 @@ fn write_rows(writer: &Writer<'_>, kept: &Kept) -> Method {
 fn optional(value: Option<TokenStream>) -> TokenStream {
     let none = || quote!(::core::option::Option::None);
     value.map_or_else(none, |value| quote!(::core::option::Option::Some(#value)))
+}
+
+/// The cosine of a constraint, one where nothing can be reversed.
+fn facing(constraint: &Consistency, values: &mut Values<'_>) -> TokenStream {
+    let cosine = constraint.facing.and_then(|_| values.next().cloned());
+    cosine.unwrap_or_else(|| quote!(1.0))
 }
 
 /// A value and its size.

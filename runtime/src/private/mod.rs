@@ -83,5 +83,5 @@ pub use path::{
     rotation_along, symmetric_rotation,
 };
 pub use pivots::{determined, positive, reciprocal};
-pub use projection::{Kept, Row, Size, check, dependent, project};
+pub use projection::{Kept, Row, Size, check, dependent, off, project};
 pub use tables::{constant, table};

@@ -23,6 +23,9 @@ pub struct Row<R, const N: usize> {
     pub name: &'static str,
     /// Its value, and the size of the terms of its sum.
     pub position: Option<(f64, f64)>,
+    /// A cosine that is one in the assembly that is meant, and less in others where the value is
+    /// zero.
+    pub facing: f64,
     /// Its rate, likewise.
     pub velocity: (f64, f64),
     /// `M⁻¹ Aᵀ` as a displacement of the coordinates.
@@ -42,6 +45,8 @@ pub struct Size {
     pub name: &'static str,
     /// None for a velocity constraint.
     pub position: Option<(f64, f64)>,
+    /// The cosine as of [`Row`].
+    pub facing: f64,
     /// For a velocity constraint, its value.
     pub velocity: (f64, f64),
 }
@@ -61,6 +66,11 @@ pub fn check(sizes: &[Size]) -> Result<(), Inconsistent> {
             };
             let Some((value, size)) = measured else {
                 continue;
+            };
+            let value = if is_velocity {
+                value
+            } else {
+                off(value, row.facing)
             };
             let relative = relative(value, size);
             if relative.is_nan() || relative > worst.0 {
@@ -82,6 +92,13 @@ pub fn check(sizes: &[Size]) -> Result<(), Inconsistent> {
         }
     }
     Ok(())
+}
+
+/// The value of a constraint of an angle, given the cosine of the angle by which the assembly is
+/// turned from the one that is meant. Beyond 60 degrees the value may be zero again: then `1 - cosine`
+/// takes its place.
+pub fn off(value: f64, cosine: f64) -> f64 {
+    if cosine < 0.5 { 1.0 - cosine } else { value }
 }
 
 /// A value as a fraction of its size; zero is zero at any size.
@@ -111,16 +128,11 @@ pub fn project<S: State<Scalar = f64>, const N: usize>(
     rows: impl Fn(&S) -> [Row<S::Rate, N>; N],
 ) -> Result<(), Inconsistent> {
     let start = state.clone();
-    let mut place = |pace| newton(state, &rows, pace, |row| row.position, |row| row.shift);
-    if place(Pace::Full).is_err() {
+    let place =
+        |state: &mut S, pace| newton(state, &rows, pace, |row| row.position, |row| row.shift);
+    if place(state, Pace::Full).is_err() {
         *state = start;
-        newton(
-            state,
-            &rows,
-            Pace::Damped,
-            |row| row.position,
-            |row| row.shift,
-        )?;
+        place(state, Pace::Damped)?;
     }
     let velocity = |row: &Row<S::Rate, N>| Some(row.velocity);
     newton(state, &rows, Pace::Velocity, velocity, |row| row.push)
@@ -168,12 +180,12 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
             }
         }
         if worst.0 <= 4.0 * f64::EPSILON {
-            return Ok(());
+            return assembled(&system, pace);
         }
         let is_last = step == steps;
         if worst.0.is_nan() || worst.0 > 0.5 * previous || is_last {
             if worst.0 <= Inconsistent::TOLERANCE || is_rounding(&system, &values, &sizes) {
-                return Ok(());
+                return assembled(&system, pace);
             }
             // far from the constraints, some steps overshoot
             slow += 1;
@@ -221,6 +233,20 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
         *state = next;
     }
     Ok(())
+}
+
+/// An error if the values are zero in another assembly than the one that is meant.
+fn assembled<R, const N: usize>(system: &[Row<R, N>; N], pace: Pace) -> Result<(), Inconsistent> {
+    let reversed = system.iter().find(|row| row.facing < 0.5);
+    match reversed.filter(|_| pace != Pace::Velocity) {
+        Some(row) => Err(Inconsistent {
+            constraint: row.name,
+            violation: off(0.0, row.facing),
+            is_velocity: false,
+            is_start: false,
+        }),
+        None => Ok(()),
+    }
 }
 
 /// Whether all values are rounding, compared with the motion given by the largest terms of any row.

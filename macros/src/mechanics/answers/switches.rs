@@ -11,7 +11,7 @@
 //! Here k, c, m, f and b are numbers, parameters and inputs. For `abs`, `min`, `max` and `if`, the
 //! pieces are those of both sides; for `floor` and `ceil`, they contain an integer. A time that is
 //! found in this way may not be a switch; then it ends a step needlessly. But no switch of these
-//! forms is missed.
+//! forms is missed, up to [`MOST_PIECES`].
 
 use std::collections::HashMap;
 
@@ -37,8 +37,8 @@ impl Switch {
     }
 }
 
-/// The most pieces of one expression.
-const MOST: usize = 32;
+/// The most pieces of one expression; an expression with more is not searched.
+const MOST_PIECES: usize = 128;
 
 /// `slope t + sum of terms + whole n + wave`
 #[derive(Clone)]
@@ -101,7 +101,7 @@ pub fn derive_switches(
             add_switches(graph, &pieces, id, &mut switches);
             pieces_of(graph, &pieces, id)
         };
-        pieces.insert(id, found.filter(|found| found.len() <= MOST));
+        pieces.insert(id, found.filter(|found| found.len() <= MOST_PIECES));
     }
     switches
 }
@@ -274,7 +274,7 @@ fn add_switches(graph: &mut Graph, pieces: &Pieces, id: Id, switches: &mut Vec<S
 
 /// The sums of each piece of the first list and each piece of the second.
 fn sums(graph: &mut Graph, a: &[Piece], b: &[Piece]) -> Option<Vec<Piece>> {
-    if a.len() * b.len() > MOST {
+    if a.len() * b.len() > MOST_PIECES {
         return None;
     }
     let pairs = a.iter().flat_map(|a| b.iter().map(move |b| (a, b)));

@@ -53,6 +53,7 @@ pub fn derive_system_consistency(
         let consistency = Consistency {
             name: row.name.clone(),
             position: row.value.zip(sizes.position),
+            facing: row.facing,
             velocity: (row.rate, sizes.velocity),
             direction: order
                 .iter()

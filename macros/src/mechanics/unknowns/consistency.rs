@@ -20,6 +20,8 @@ pub struct Consistency {
     pub name: String,
     /// `g`, and the size of the terms of its sum.
     pub position: Option<(Id, Id)>,
+    /// A cosine that is one in the assembly that is meant, and less in others where `g` is zero.
+    pub facing: Option<Id>,
     /// `h`, and the size of the terms of its sum.
     pub velocity: (Id, Id),
     /// `M^-1 A^T`, in the order of the acceleration.
@@ -39,7 +41,8 @@ impl Consistency {
             .into_iter()
             .flat_map(|(value, size)| [value, size]);
         let own = [value, size].into_iter().chain(position);
-        own.chain(self.direction.iter().copied())
+        own.chain(self.facing)
+            .chain(self.direction.iter().copied())
             .chain(self.coupling.iter().copied())
             .collect()
     }
@@ -76,6 +79,7 @@ pub fn derive_consistency(
         Consistency {
             name: constraint.name.clone(),
             position,
+            facing: None,
             velocity,
             direction: {
                 let Pair { linear, angular } = directions[row];

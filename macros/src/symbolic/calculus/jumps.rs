@@ -56,13 +56,16 @@ impl Graph {
 
     /// Whether an expression is a product of numbers and symbols.
     pub fn is_product(&self, id: Id) -> bool {
-        match *self.node(id) {
-            Node::Symbol(_) => true,
+        let mut parts = self.reachable(&[id], |_| true).into_iter();
+        parts.all(|part| match *self.node(part) {
             Node::Number(ref number) => !number.is_zero() && !number.is_undecided(),
-            Node::Multiply(a, b) | Node::Divide(a, b) => self.is_product(a) && self.is_product(b),
-            Node::Negate(a) | Node::Quantity(a) => self.is_product(a),
+            Node::Symbol(_)
+            | Node::Multiply(..)
+            | Node::Divide(..)
+            | Node::Negate(_)
+            | Node::Quantity(_) => true,
             _ => false,
-        }
+        })
     }
 
     /// The times at which a node by itself may jump.

@@ -292,7 +292,7 @@ impl Graph {
         }
     }
 
-    /// Constants that thousands of bits cannot tell apart count as equal.
+    /// Constants that thousands of bits cannot tell apart are compared as doubles, which are equal.
     pub fn compare(&mut self, comparison: Comparison, a: Id, b: Id) -> Id {
         let known = match (self.as_number(a), self.as_number(b)) {
             (Some(x), Some(y)) if (x.clone() - y.clone()).is_undecided() => {

@@ -65,6 +65,10 @@ impl Sample {
     }
 
     fn with(&self, other: &Self, of: impl Fn(Residue, Residue) -> Option<Residue>) -> Self {
+        if self.0.len() != other.0.len() {
+            // of different branches
+            return Self(vec![None]);
+        }
         let pairs = self.0.iter().zip(&other.0);
         Self(pairs.map(|(a, b)| of((*a)?, (*b)?)).collect())
     }

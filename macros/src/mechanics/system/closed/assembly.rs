@@ -171,7 +171,10 @@ impl<'a> Assembly<'a> {
             }
         }
         let is_closed = squares(&errors).sqrt() < 1e-12 * size(&self.slopes(values));
-        is_closed.then_some(all)
+        let facing: Vec<Id> = self.rows.iter().filter_map(|row| row.facing).collect();
+        let cosines = self.evaluate(&facing, values);
+        let is_meant = cosines.into_iter().all(|cosine| cosine > 0.5);
+        (is_closed && is_meant).then_some(all)
     }
 
     /// The state with its coordinates changed by these amounts.

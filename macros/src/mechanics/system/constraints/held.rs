@@ -12,11 +12,15 @@ pub enum Held {
     /// The same, along a direction that is fixed in the carrier.
     Across(Components),
     /// The angle between a direction of the carrier and one of the carried body.
-    Between(Components, Components),
+    Between([Components; 2], Facing),
     /// The place along a direction that is fixed in the carrier, which the angle about it
     /// determines.
     Thread(Thread),
 }
+
+/// A direction of the carrier and one of the carried body that agree in the assembly that is meant.
+/// Held angles alone allow others too, such as a reversed axis. `None` if nothing can be reversed.
+pub type Facing = Option<[Components; 2]>;
 
 /// The thread of a screw.
 #[derive(Clone, Copy)]
@@ -41,7 +45,10 @@ pub fn held(graph: &mut Graph, closing: &Connection, is_planar: bool) -> Vec<Hel
 fn in_plane(graph: &mut Graph, closing: &Connection) -> Vec<Held> {
     let [x, y, z] = graph.unit_vectors();
     let pin = [Held::Place(x), Held::Place(y)];
-    let still = |graph: &mut Graph| Held::Between(at_zero(graph, closing, x), y);
+    let still = |graph: &mut Graph| {
+        let of_carrier = at_zero(graph, closing, x);
+        Held::Between([of_carrier, y], Some([of_carrier, x]))
+    };
     match (closing.kind.parts, closing.directions.as_slice()) {
         ([Part::Turn(_)], _) => pin.to_vec(),
         ([Part::Slide(_), Part::Turn(_)], [along, normal]) => {
@@ -63,23 +70,29 @@ fn in_space(graph: &mut Graph, closing: &Connection) -> Vec<Held> {
     let ball = units.map(Held::Place);
     let turned = |graph: &mut Graph, vector: Components| at_zero(graph, closing, vector);
     let across = |graph: &mut Graph, one: Components| Held::Across(turned(graph, one));
-    let between =
-        |graph: &mut Graph, one: Components, other| Held::Between(turned(graph, one), other);
+    // `one` and `other` keep their angle, and `facing` its direction
+    let between = |graph: &mut Graph, [one, other]: [Components; 2], facing| {
+        Held::Between(
+            [turned(graph, one), other],
+            Some([turned(graph, facing), facing]),
+        )
+    };
     // no direction of one body rotates relative to the other body
     let still = |graph: &mut Graph| {
-        [(0, 1), (1, 2), (2, 0)].map(|(i, j)| between(graph, units[i], units[j]))
+        [(0, 1), (1, 2), (2, 0)].map(|(i, j)| between(graph, [units[i], units[j]], units[i]))
     };
     let mut all = Vec::new();
     match (closing.kind.parts, closing.directions.as_slice()) {
         ([Part::Ball], _) => all.extend(ball),
         ([Part::Turn(_)], [axis, normals @ ..]) => {
             all.extend(ball);
-            all.extend(normals.iter().map(|normal| between(graph, *normal, *axis)));
+            let normals = normals.iter();
+            all.extend(normals.map(|normal| between(graph, [*normal, *axis], *axis)));
         }
         ([Part::Slide(_), Part::Turn(_)] | [Part::Screw], [axis, normals @ ..]) => {
             for normal in normals {
-                let normal = turned(graph, *normal);
-                all.extend([Held::Across(normal), Held::Between(normal, *axis)]);
+                let tilt = between(graph, [*normal, *axis], *axis);
+                all.extend([across(graph, *normal), tilt]);
             }
             let first = normals.iter().zip(closing.pitch).next();
             all.extend(first.map(|(normal, pitch)| {
@@ -98,11 +111,13 @@ fn in_space(graph: &mut Graph, closing: &Connection) -> Vec<Held> {
         }
         ([Part::Slide(_), Part::Slide(_), Part::Turn(_)], [normal, along @ ..]) => {
             all.push(across(graph, *normal));
-            all.extend(along.iter().map(|along| between(graph, *along, *normal)));
+            let along = along.iter();
+            all.extend(along.map(|along| between(graph, [*along, *normal], *normal)));
         }
         ([Part::Turn(0), Part::Turn(1)], [first, second, ..]) => {
             all.extend(ball);
-            all.push(between(graph, *first, *second));
+            let first = turned(graph, *first);
+            all.push(Held::Between([first, *second], None));
         }
         ([], _) => {
             all.extend(ball);

@@ -66,10 +66,12 @@ fn row(
     };
     let slopes = slopes(graph, tree, placed, (ends, places), [force, moment]);
     let [value, rate, bias] = measured.change.map(|id| graph.quantity(id));
+    let facing = joined.facing(graph, held);
     JointRow {
         row: ConstraintRow {
             name,
             value: Some(value),
+            facing,
             rate,
             bias,
             slopes,
@@ -121,8 +123,20 @@ impl Joined<'_> {
                     moment: graph.negate_vector(moment),
                 }
             }
-            Held::Between(own, other) => self.between(graph, (own, other), closing),
+            Held::Between(directions, _) => self.between(graph, directions, closing),
         }
+    }
+
+    /// The cosine of the angle between two directions that should agree.
+    fn facing(&self, graph: &mut Graph, held: Held) -> Option<Id> {
+        let Held::Between(_, Some([own, other])) = held else {
+            return None;
+        };
+        let [carrier, carried] = self.sides;
+        let own = carrier.to_world(graph, own);
+        let other = carried.to_world(graph, other);
+        let cosine = graph.dot(own, other);
+        Some(graph.quantity(cosine))
     }
 
     /// The vector between the two points, with its first and second derivatives.
@@ -206,7 +220,7 @@ impl Joined<'_> {
     fn between(
         &self,
         graph: &mut Graph,
-        (own, other): (Components, Components),
+        [own, other]: [Components; 2],
         closing: &Connection,
     ) -> Measured {
         let [carrier, carried] = self.sides;

@@ -8,6 +8,9 @@ pub struct ConstraintRow {
     pub name: String,
     /// Zero in all states of the motion; `None` for a constraint of velocities.
     pub value: Option<Id>,
+    /// A cosine that is one in all states of the motion, and less in other assemblies whose value is
+    /// zero.
+    pub facing: Option<Id>,
     pub rate: Id,
     /// The derivative of the rate if no joint accelerates.
     pub bias: Id,

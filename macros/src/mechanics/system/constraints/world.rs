@@ -66,14 +66,15 @@ impl Placed {
     }
 
     /// Names the place and the motion of its origin.
-    fn label(&self, labels: &mut Labels, link: &str) {
+    fn label(&self, graph: &Graph, labels: &mut Labels, link: &str) {
         if let Turning::By(rows) = &self.turning {
             labels.matrix(&format!("axes_{link}"), rows);
         }
         labels.vector(&format!("place_{link}"), self.origin);
         // about z, the axes make no difference
         let [x, y, _] = self.w;
-        let w = if x == y { "w" } else { "w_world" };
+        let is_about_z = [x, y].into_iter().all(|part| graph.is_zero(part));
+        let w = if is_about_z { "w" } else { "w_world" };
         labels.vector_or_one(w, link, self.w);
         labels.vector_or_one("turning_drift", link, self.alpha);
         labels.vector(&format!("v_{link}"), self.velocity);
@@ -188,7 +189,7 @@ pub fn place_links(
             let arm = carrier.to_world(graph, link.place);
             labels.vector(&format!("arm_{}", tree.links[number].name), arm);
         }
-        next.label(labels, &link.name);
+        next.label(graph, labels, &link.name);
         all.push(next);
     }
     all

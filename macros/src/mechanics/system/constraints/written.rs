@@ -49,6 +49,7 @@ fn row(
     ConstraintRow {
         name: constraint.name.clone(),
         value,
+        facing: None,
         rate: work.graph.quantity(rate),
         bias: work.graph.quantity(bias),
         active: active(work, &slopes),

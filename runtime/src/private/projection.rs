@@ -97,6 +97,7 @@ pub fn check(sizes: &[Size]) -> Result<(), Inconsistent> {
 /// The value of a constraint of an angle, given the cosine of the angle by which the assembly is
 /// turned from the one that is meant. Beyond 60 degrees the value may be zero again: then `1 - cosine`
 /// takes its place.
+#[must_use]
 pub fn off(value: f64, cosine: f64) -> f64 {
     if cosine < 0.5 { 1.0 - cosine } else { value }
 }

@@ -27,7 +27,7 @@ impl Residue {
         Self { real, imaginary: 0 }
     }
 
-    /// A random residue, different for different arguments.
+    /// A pseudorandom residue: the same for equal arguments, in every run.
     pub fn stand_in(of: &impl Hash) -> Self {
         let half = |salt: u8| {
             let mut hasher = DefaultHasher::new();

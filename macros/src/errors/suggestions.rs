@@ -152,6 +152,12 @@ const NAMES: &Elsewhere = &[
     ("orientation", "attitude"),
     ("quaternion", "attitude"),
     ("omega", "angular_velocity"),
+    ("wx", "angular_velocity"),
+    ("wy", "angular_velocity"),
+    ("wz", "angular_velocity"),
+    ("roll", "attitude"),
+    ("pitch", "attitude"),
+    ("yaw", "attitude"),
     ("com", "G"),
 ];
 

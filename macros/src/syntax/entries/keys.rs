@@ -2,9 +2,10 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, TokenTree};
 
-use crate::errors::{Errors, advice_for_key, foreign_key_meant, similar};
+use crate::errors::{Errors, Extent, advice_for_key, foreign_key_meant, similar};
 use crate::syntax::Description;
-use crate::syntax::tokens::is_punct;
+use crate::syntax::tokens::{is_punct, start};
+use crate::syntax::words::is_keyword;
 
 /// Keys whose value is a list, each with an example entry.
 pub const LISTS: [(&str, &str); 18] = [
@@ -120,4 +121,49 @@ pub fn bracketed_entry(list: &Group, mut entry: Vec<TokenTree>) -> Vec<TokenTree
         *sign = TokenTree::Punct(equals);
     }
     entry
+}
+
+/// The first word of an entry, and the tokens after it.
+pub fn key_word<'t>(
+    entry: &'t [TokenTree],
+    errors: &mut Errors,
+) -> Option<(&'t Ident, &'t [TokenTree])> {
+    match entry {
+        [TokenTree::Ident(key), rest @ ..] => {
+            let word = key.to_string();
+            if !is_keyword(&word) && word != "_" && !word.starts_with("r#") {
+                return Some((key, rest));
+            }
+            let message = match (word.as_str(), rest.first().and_then(name_of)) {
+                ("let" | "const" | "static", Some(name)) => {
+                    format!("`{word}` is no key: write `locals: [{name} = ..]`")
+                }
+                ("fn", Some(name)) => format!(
+                    "`fn` is no key: write the function outside, and declare it with its units, as in \
+                     `functions: [{name}(x[m]) = {name}[N]]`"
+                ),
+                _ => format!("`{word}` is no key: expected one such as `mass: 1[kg]`"),
+            };
+            errors.push(key.span(), message);
+        }
+        [first, second, ..] if is_punct(first, '.') && is_punct(second, '.') => errors.push(
+            Extent::from(first.span()).to(second.span().into()),
+            "a description is complete in itself: `..` cannot be used",
+        ),
+        [first, second, ..] if is_punct(first, '<') && is_punct(second, '!') => {
+            errors.push(first.span(), "a comment begins with `//`");
+        }
+        [TokenTree::Literal(digits), ..] if is_group_of_digits(&digits.to_string()) => errors.push(
+            digits.span(),
+            format!("a number has no commas: write `1{digits}` or `1_{digits}` for `1,{digits}`"),
+        ),
+        [first, ..] => errors.push(start(first), "expected a key, such as `mass: 1[kg]`"),
+        [] => {}
+    }
+    None
+}
+
+/// Whether these may be the thousands of a number that is written with a comma.
+fn is_group_of_digits(text: &str) -> bool {
+    text.len() == 3 && text.bytes().all(|byte| byte.is_ascii_digit())
 }

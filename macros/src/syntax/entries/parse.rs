@@ -8,7 +8,7 @@ use super::checks::parse_check;
 use super::composition::Composition;
 use super::entry::{parse_entry, parse_name};
 use super::keys::{
-    LISTS, VALUES, bracketed_entry, further_braces, is_of_systems, key_meant, name_of,
+    LISTS, VALUES, bracketed_entry, further_braces, is_of_systems, key_meant, key_word, name_of,
     report_of_system, report_unknown,
 };
 use crate::syntax::expression::Expression;
@@ -125,35 +125,6 @@ fn parse_further(into: &mut Description, word: &Ident, group: &Group, errors: &m
     );
     errors.push(group.span_open(), message);
     parse_keys(into, group.stream(), errors);
-}
-
-/// The first word of an entry, and the tokens after it.
-fn key_word<'t>(
-    entry: &'t [TokenTree],
-    errors: &mut Errors,
-) -> Option<(&'t Ident, &'t [TokenTree])> {
-    match entry {
-        [TokenTree::Ident(key), rest @ ..] => {
-            let word = key.to_string();
-            if !is_keyword(&word) && word != "_" && !word.starts_with("r#") {
-                return Some((key, rest));
-            }
-            let message = match rest.first().and_then(name_of) {
-                Some(name) if word == "let" => {
-                    format!("`let` is no key: write `locals: [{name} = ..]`")
-                }
-                _ => format!("`{word}` is no key: expected one such as `mass: 1[kg]`"),
-            };
-            errors.push(key.span(), message);
-        }
-        [first, second, ..] if is_punct(first, '.') && is_punct(second, '.') => errors.push(
-            Extent::from(first.span()).to(second.span().into()),
-            "a description is complete in itself: `..` cannot be used",
-        ),
-        [first, ..] => errors.push(start(first), "expected a key, such as `mass: 1[kg]`"),
-        [] => {}
-    }
-    None
 }
 
 /// The tokens after the colon, if there are any.

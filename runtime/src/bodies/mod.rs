@@ -6,5 +6,6 @@ pub mod constrained;
 pub mod linearization;
 pub mod operations;
 pub(crate) mod path;
+pub(crate) mod projection;
 pub mod structure;
 pub(crate) mod switches;

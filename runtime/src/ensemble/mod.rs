@@ -24,9 +24,9 @@ mod moves;
 mod plan;
 #[cfg(feature = "progress")]
 mod progress;
-mod statistics;
 #[cfg(feature = "serde")]
-mod written;
+mod serialized;
+mod statistics;
 
 pub use blocks::{Blocks, Values};
 pub use course::{AsGiven, EnsembleControl, EnsembleSamples};

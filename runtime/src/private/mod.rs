@@ -54,7 +54,6 @@ mod checks;
 pub mod order;
 mod path;
 mod pivots;
-mod projection;
 mod record;
 pub mod system;
 mod tables;
@@ -73,6 +72,7 @@ macro_rules! __written {
 #[cfg(not(feature = "serde"))]
 pub use crate::__written as written;
 
+pub use crate::bodies::projection::{Kept, Row, Size, check, dependent, off, project};
 pub use crate::mechanics::principal::PrincipalAxes;
 pub use checks::{
     check_derived, check_finite, check_inertia, check_mass, check_planar_inertia, check_property,
@@ -83,5 +83,4 @@ pub use path::{
     rotation_along, symmetric_rotation,
 };
 pub use pivots::{determined, positive, reciprocal};
-pub use projection::{Kept, Row, Size, check, dependent, off, project};
 pub use tables::{constant, table};

@@ -7,8 +7,8 @@ use crate::model::{Dimension, Field, JointKind, Load, Point, TreeJoint, Variable
 use crate::symbolic::Id;
 use crate::syntax::{Definition, Expression, Kind, call};
 
-use super::behind::{behind, behind_operand, report_operand};
-use super::between::{given, read_moment};
+use super::between_bodies::{given, read_moment};
+use super::load_methods::{behind, behind_operand, report_operand};
 use super::reading::reader::Reader;
 
 /// The joint and the coordinate in `elbow` or `gimbal.angle_1`.

@@ -1,16 +1,16 @@
 //! A description of a system, read in order: its declarations, the points of its bodies, the
 //! joints, and then everything that depends on its motion.
 
-mod apart;
-mod asked;
-mod behind;
-mod between;
+mod between_bodies;
 mod constraints;
+mod displaced_bodies;
 mod drives;
 mod fields;
 mod frames;
 mod joints;
+mod load_methods;
 mod outline;
+mod output_arguments;
 mod potentials;
 mod read;
 mod reading;

@@ -166,8 +166,8 @@ impl SystemEquations {
         let given = loads(system, work).into_iter().flat_map(|(_, parts)| parts);
         let followed = unknowns_in(work, &given.collect::<Vec<Id>>());
         check_closed(system, work, &closed.kept, errors)?;
-        check_kept(system, work, (&closed.unsettled, &followed), errors)?;
-        if closed.unsettled.light.is_empty() {
+        check_kept(system, work, (&closed.undetermined, &followed), errors)?;
+        if closed.undetermined.light.is_empty() {
             return Some(());
         }
         let loads = system.bodies.iter().flat_map(|body| &body.loads);

@@ -190,7 +190,9 @@ pub fn derive_system_open(
     equations: &SystemEquations,
 ) -> Vec<(Ident, String)> {
     let closed = equations.closed.iter();
-    let spare: Vec<&Spare> = closed.flat_map(|closed| &closed.unsettled.spare).collect();
+    let spare: Vec<&Spare> = closed
+        .flat_map(|closed| &closed.undetermined.spare)
+        .collect();
     let is_open = |part: &dyn Fn(&Spare) -> Id| {
         let mut parts = spare.iter().map(|spare| part(spare));
         parts.any(|part| !work.graph.vanishes(part))
@@ -225,7 +227,7 @@ pub fn derive_system_release(
 ) -> String {
     let closed = equations.closed.as_ref();
     closed.map_or_else(String::new, |closed| {
-        release(system, work, &closed.unsettled)
+        release(system, work, &closed.undetermined)
     })
 }
 

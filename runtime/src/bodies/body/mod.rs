@@ -16,16 +16,16 @@
 //! and has no term with the velocity of O. The source prints `R_s` for `F_s` in the second sum of
 //! (1.4). This is a misprint: no such symbol exists.
 
-mod answers;
 mod invalid;
 mod of_systems;
+mod outputs;
 mod rigid_body;
 mod singular;
 mod unrequested;
 
-pub use answers::{Balance, Energy, Flow, Inverse, Momentum, Reactions, Regressor};
 pub use invalid::{Impossible, InvalidBody};
 pub use of_systems::{DrivenEnergy, DrivenMomentum, Jacobian, MassMatrix};
+pub use outputs::{Balance, Energy, Flow, Inverse, Momentum, Reactions, Regressor};
 pub use rigid_body::RigidBody;
 pub use singular::Singular;
 pub(crate) use unrequested::{Unrequested, unrequested};

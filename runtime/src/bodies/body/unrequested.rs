@@ -3,8 +3,8 @@
 //! Each output has a trait here that no type implements. Its bodies would have the output, so rustc
 //! finds the method, and says in the words of the trait what is missing.
 
-use super::answers::{Balance, Energy, Flow, Inverse, Momentum, Reactions, Regressor};
 use super::of_systems::{DrivenEnergy, DrivenMomentum, Jacobian, MassMatrix};
+use super::outputs::{Balance, Energy, Flow, Inverse, Momentum, Reactions, Regressor};
 use super::rigid_body::RigidBody;
 use crate::bodies::path::Path;
 use crate::state::State;

@@ -6,7 +6,7 @@ use core::ops::Range;
 use super::Moves;
 use super::members::{Done, MemberError};
 use super::one_by_one::OneByOne;
-use super::ways::{Apart, Ways};
+use super::register_steps::{Apart, Ways};
 use crate::bodies::body::RigidBody;
 use crate::bodies::columns::{Columns, Generic};
 use crate::ensemble::blocks::{BLOCK, Blocks, Eight, GroupMut};

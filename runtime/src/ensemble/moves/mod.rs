@@ -14,8 +14,8 @@ mod lane;
 mod members;
 mod one_by_one;
 mod register;
+mod register_steps;
 mod seats;
-mod ways;
 
 pub(super) use members::indices;
 pub use members::{EnsembleError, MemberError};

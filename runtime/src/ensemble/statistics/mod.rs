@@ -2,9 +2,9 @@
 
 mod digits;
 mod moments;
-mod whole;
 #[cfg(feature = "serde")]
-mod written;
+mod serialized;
+mod whole;
 
 use alloc::vec::Vec;
 use core::fmt;

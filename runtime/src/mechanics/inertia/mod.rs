@@ -19,9 +19,9 @@ mod matrix;
 #[cfg(feature = "stl")]
 mod mesh;
 mod points;
-mod shape;
 #[cfg(feature = "serde")]
-mod written;
+mod serialized;
+mod shape;
 
 use matrix::{exponent, of_second_moments, scaled, symmetrized};
 

@@ -3,14 +3,14 @@
 
 mod parts;
 #[cfg(feature = "serde")]
-mod written;
+mod serialized;
 
 pub use parts::{
     Parts, PartsMut, any, axes, coordinates, count, freedoms, groups, positions, second_unit,
     shifts,
 };
 #[cfg(feature = "serde")]
-pub use written::{Name, fill, finite, found, ignore, next};
+pub use serialized::{Name, fill, finite, found, ignore, next};
 
 /// Defines the state of a system and its acceleration: two structs with a field for each joint, in
 /// the order in which they are written.

@@ -8,5 +8,5 @@ mod drawing;
 pub mod driven;
 pub mod joint;
 mod motion;
-mod told;
+mod motion_values;
 mod tree;

@@ -1,7 +1,7 @@
 //! The context in which the parts of a system are read: the names, the bodies.
 
 pub mod body;
-mod felt;
-mod kept;
+mod constraints;
+mod following_loads;
 pub mod names;
 pub mod reader;

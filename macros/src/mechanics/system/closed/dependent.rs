@@ -20,7 +20,7 @@ use crate::symbolic::{Equation, Graph, Id};
 use super::super::constraints::ConstraintRow;
 use super::eliminated::{Following, Found, equations};
 use super::guard::{Closeness, guard};
-use super::known::Keeper;
+use super::rows::Keeper;
 use super::semidefinite::{Solver, product};
 
 /// Rows of one joint that have the same dimension, and which of them are independent.

@@ -6,8 +6,8 @@ use crate::symbolic::{Equation, Id, Size};
 
 use super::super::constraints::{ConstraintRow, split};
 use super::super::reduced::{LoadedRow, label, together};
-use super::known::Keeper;
-use super::unsettled::{open, without_column};
+use super::rows::Keeper;
+use super::undetermined::{open, without_column};
 
 /// The solution for a system with rows.
 pub struct Found {

@@ -4,7 +4,7 @@
 use crate::symbolic::{Graph, Id, Number};
 
 use super::super::constraints::ConstraintRow;
-use super::known::Keeper;
+use super::rows::Keeper;
 
 /// The rounding error that a row may have, relative to its terms.
 const ROUNDING: f64 = 1e-12;

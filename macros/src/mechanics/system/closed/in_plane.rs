@@ -9,7 +9,7 @@ use super::super::constraints::Ends;
 use super::super::plane::{Absolute, Arms, derive_masses, of_hinge, of_row, shortest};
 use super::super::reduced::{Balance, LinearRow, Reduced, loads, reduce};
 use super::eliminated::Found;
-use super::known::{Keeper, Known};
+use super::rows::{Keeper, Known};
 
 /// Solves the rows block by block. `None` if rows are dependent or trivial somewhere, or if loads
 /// depend on those of constraints.

@@ -11,7 +11,7 @@ use crate::mechanics::proofs::samples;
 use crate::model::{AXES, System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Graph, Id, Residue};
 
-use super::unsettled::{Spare, Unsettled};
+use super::undetermined::{Spare, Undetermined};
 
 /// The most joints that are tried together.
 const MOST: usize = 3;
@@ -54,16 +54,16 @@ fn instead(kind: &str, is_planar: bool) -> &'static [(&'static str, Free, usize)
 
 /// Ways to release after which all loads are determined, in words, such as ``with `a` as
 /// `spherical` ``. If there would be many, whole joints are left out instead.
-pub fn release(system: &System, work: &mut Workspace, unsettled: &Unsettled) -> String {
-    let spare = &unsettled.spare;
-    let ways = sampled(work, |graph| ways(graph, system, unsettled));
+pub fn release(system: &System, work: &mut Workspace, undetermined: &Undetermined) -> String {
+    let spare = &undetermined.spare;
+    let ways = sampled(work, |graph| ways(graph, system, undetermined));
     let chosen = fewest(&ways, spare.len()).unwrap_or_else(|| {
         let single = sampled(work, |graph| components(graph, system, spare));
         let singly = one_by_one(&ways, &single);
         if singly.len() <= MOST {
             return singly;
         }
-        let joints = sampled(work, |_| without_joints(system, unsettled));
+        let joints = sampled(work, |_| without_joints(system, undetermined));
         fewest(&joints, spare.len()).unwrap_or(singly)
     });
     chosen.join(" and ")
@@ -96,8 +96,8 @@ fn one_by_one(ways: &[Way<Residue>], single: &[Way<Residue>]) -> Vec<String> {
 }
 
 /// The releases by joints of other kinds, and by links that are left out.
-fn ways(graph: &mut Graph, system: &System, unsettled: &Unsettled) -> Vec<Way<Id>> {
-    let spare = &unsettled.spare;
+fn ways(graph: &mut Graph, system: &System, undetermined: &Undetermined) -> Vec<Way<Id>> {
+    let spare = &undetermined.spare;
     let mut ways = Vec::new();
     for (holder, joint) in holders(system).enumerate() {
         let kinds = instead(joint.kind, system.is_planar).iter();
@@ -106,14 +106,14 @@ fn ways(graph: &mut Graph, system: &System, unsettled: &Unsettled) -> Vec<Way<Id
                 holder,
                 said: format!("with `{}` as `{kind}`", joint.name),
                 count: *count,
-                rows: rows(graph, spare, holder, (*free, unsettled.axes[holder])),
+                rows: rows(graph, spare, holder, (*free, undetermined.axes[holder])),
             });
         }
     }
     let links = system.constraints.list.iter().enumerate();
     for (number, link) in links.filter(|(_, one)| system.is_link(&one.place)) {
         ways.push(Way {
-            holder: unsettled.axes.len() + number,
+            holder: undetermined.axes.len() + number,
             said: format!("without `{}`", link.name),
             count: 1,
             rows: vec![spare.iter().map(|spare| spare.loads[number]).collect()],
@@ -123,11 +123,11 @@ fn ways(graph: &mut Graph, system: &System, unsettled: &Unsettled) -> Vec<Way<Id
 }
 
 /// The releases by leaving out joints that close loops.
-fn without_joints(system: &System, unsettled: &Unsettled) -> Vec<Way<Id>> {
+fn without_joints(system: &System, undetermined: &Undetermined) -> Vec<Way<Id>> {
     let closings = system.closings.iter().enumerate();
     let ways = closings.map(|(number, closing)| {
         let holder = system.joints.len() + number;
-        let spare = unsettled.spare.iter();
+        let spare = undetermined.spare.iter();
         let wrenches: Vec<Vec<Id>> = spare.map(|spare| spare.wrench(holder).concat()).collect();
         let all = if system.is_planar { 3 } else { 6 };
         let parts = 0..2 * AXES.len();

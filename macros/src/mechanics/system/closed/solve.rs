@@ -14,8 +14,8 @@ use super::assembly::{Assembly, Coordinates};
 use super::dependent::{dependent, groups};
 use super::eliminated::{Following, Found, eliminated};
 use super::in_plane::in_plane;
-use super::known::{Keeper, Known};
-use super::unsettled::{Spare, Unsettled, bare};
+use super::rows::{Keeper, Known};
+use super::undetermined::{Spare, Undetermined, bare};
 
 /// The constraints of such a system, and their loads.
 pub struct Closed {
@@ -29,7 +29,7 @@ pub struct Closed {
     pub wrenches: Vec<[Components; 2]>,
     /// The load of each written constraint, per unit of its gradient.
     pub loads: Vec<Id>,
-    pub unsettled: Unsettled,
+    pub undetermined: Undetermined,
 }
 
 impl Closed {
@@ -59,7 +59,7 @@ pub fn close(
         let name = format!("{}_load", constraint.name.replace('.', "_"));
         work.labels.name(*load, name);
     }
-    let unsettled = unsettled(system, work, &known, (&found, spare));
+    let undetermined = undetermined(system, work, &known, (&found, spare));
     for (ends, wrench) in known.ends.iter().zip(&wrenches) {
         push(&mut work.graph, loaded, &known.placed, ends, *wrench);
     }
@@ -71,40 +71,40 @@ pub fn close(
         inertias: freedoms.map(|one| matrix.rows[one][one]).collect(),
         wrenches,
         loads,
-        unsettled,
+        undetermined,
     };
     (built.tree.by_link(found.accelerations), closed)
 }
 
 /// The loads that the equations do not determine; `spare` are sets of loads that balance each
 /// other.
-fn unsettled(
+fn undetermined(
     system: &System,
     work: &mut Workspace,
     known: &Known<'_>,
     (found, spare): (&Found, Vec<Loads>),
-) -> Unsettled {
-    let mut unsettled = Unsettled {
+) -> Undetermined {
+    let mut undetermined = Undetermined {
         light: found.light.clone(),
-        ..Unsettled::default()
+        ..Undetermined::default()
     };
     for (keeper, _) in &known.idle {
-        unsettled.add(keeper, BTreeSet::new());
+        undetermined.add(keeper, BTreeSet::new());
     }
     for (row, others, _) in &found.spare {
         let others = others.iter().map(|other| known.kept[*other].1.name.clone());
-        unsettled.add(&known.kept[*row].0, others.collect());
+        undetermined.add(&known.kept[*row].0, others.collect());
     }
     if !spare.is_empty() {
-        unsettled.axes = axes(system, work, known);
+        undetermined.axes = axes(system, work, known);
     }
     for loads in spare {
         let mut tree = bare(&work.graph, known.built);
         push_written(system, work, known.built, &mut tree, &loads.1);
         let spare = Spare::new(&mut work.graph, known, &tree, loads);
-        unsettled.spare.push(spare);
+        undetermined.spare.push(spare);
     }
-    unsettled
+    undetermined
 }
 
 /// The solution block by block, if there is one and it costs no more than eliminating everything

@@ -5,7 +5,7 @@ use crate::model::Workspace;
 use crate::symbolic::{Graph, Id};
 
 use super::block::{Block, Way, next_rows, numerators, solved, way};
-use super::together::GUARDED;
+use super::equations::GUARDED;
 
 /// A constraint row: `sum of slopes * x = right`.
 #[derive(Clone)]

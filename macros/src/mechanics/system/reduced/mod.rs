@@ -19,11 +19,11 @@
 
 mod balances;
 mod block;
+mod equations;
 mod loads;
 mod motion;
-mod together;
 
 pub use balances::{Balance, LinearRow};
+pub use equations::{LoadedRow, label, together};
 pub use loads::loads;
 pub use motion::{Reduced, reduce};
-pub use together::{LoadedRow, label, together};

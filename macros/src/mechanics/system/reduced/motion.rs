@@ -5,7 +5,7 @@ use crate::symbolic::{Elimination, Id, Size};
 
 use super::balances::{Balance, Balances, LinearRow, at};
 use super::block::Block;
-use super::together::{LoadedRow, label, together};
+use super::equations::{LoadedRow, label, together};
 
 /// The solution of balances and rows.
 pub struct Reduced {

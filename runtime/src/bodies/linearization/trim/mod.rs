@@ -2,8 +2,8 @@
 
 mod conditions;
 mod error;
-mod here;
 mod least_change;
+mod point;
 mod search;
 mod steady;
 mod trimmed;

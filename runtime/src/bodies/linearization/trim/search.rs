@@ -6,8 +6,8 @@ use nalgebra::{SMatrix, Vector3};
 
 use super::conditions::{Condition, Conditions};
 use super::error::{FEW, TrimError};
-use super::here::{Here, TOLERANCE, few};
 use super::least_change::Change;
+use super::point::{Here, TOLERANCE, few};
 use super::steady::{About, Steady};
 use super::trimmed::Trimmed;
 use crate::bodies::linearization::coordinated::Coordinated;

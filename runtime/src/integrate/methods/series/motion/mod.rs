@@ -37,10 +37,10 @@ use crate::state::Coordinates;
 use crate::taylor::{Axes, Taylor};
 
 mod advance;
+mod checked_steps;
 pub mod crossing;
 mod expansions;
 mod permitted;
-mod seen;
 
 use expansions::Expansions;
 

@@ -7,8 +7,8 @@ use crate::model::{Dimension, Frame, Load, Point, Property, Tie, Vector};
 use crate::symbolic::{Comparison, Components, Id, Number};
 use crate::syntax::{Definition, Expression, Kind, call};
 
-use super::behind::{behind, behind_operand, report_operand};
 use super::joints::joint::End;
+use super::load_methods::{behind, behind_operand, report_operand};
 use super::reading::reader::Reader;
 use super::ties::{LENGTH_OF_CABLE, STIFFNESS_OF_CABLE};
 

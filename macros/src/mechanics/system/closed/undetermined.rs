@@ -9,11 +9,11 @@ use crate::model::{System, Workspace};
 use crate::symbolic::{Components, Elimination, Equation, Graph, Id};
 
 use super::super::constraints::ConstraintRow;
-use super::known::{Keeper, Known};
+use super::rows::{Keeper, Known};
 
 /// Which loads the equations do not determine, by the index of what they belong to.
 #[derive(Default)]
-pub struct Unsettled {
+pub struct Undetermined {
     /// Loads that balance each other, so that they may be added to any solution.
     pub spare: Vec<Spare>,
     /// Written constraints that are trivial or redundant, each with the names of those that it
@@ -107,7 +107,7 @@ fn subtract_at(
     }
 }
 
-impl Unsettled {
+impl Undetermined {
     /// Adds a constraint whose load is not determined, with the names of those that can replace it.
     pub fn add(&mut self, keeper: &Keeper, others: BTreeSet<String>) {
         if let Keeper::Written(number) = keeper {
@@ -194,11 +194,11 @@ pub fn check_closed(
 pub fn check_kept(
     system: &System,
     work: &Workspace,
-    (unsettled, followed): (&Unsettled, &[Id]),
+    (undetermined, followed): (&Undetermined, &[Id]),
     errors: &mut Errors,
 ) -> Option<()> {
     let before = errors.count();
-    for (number, others) in &unsettled.written {
+    for (number, others) in &undetermined.written {
         let constraint = &system.constraints.list[*number];
         let name = &constraint.name;
         let is_link = system.is_link(&constraint.place);
@@ -224,7 +224,7 @@ pub fn check_kept(
         .iter()
         .zip(&system.constraints.loads);
     for (number, (constraint, symbol)) in kept.enumerate() {
-        let mut spare = unsettled.spare.iter();
+        let mut spare = undetermined.spare.iter();
         let is_reported = errors.count() > before;
         let is_open = spare.any(|spare| !work.graph.vanishes(spare.loads[number]));
         if is_open && followed.contains(symbol) && !is_reported {

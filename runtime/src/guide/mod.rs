@@ -1,17 +1,17 @@
 //! A guide in chapters: the physics first, then the description, then numbers to check.
 //!
-//! Every program compiles as it stands, in a crate that depends on `newton-euler` alone (the
+//! Every program compiles unchanged, in a crate that depends on `newton-euler` alone (the
 //! gallery needs the feature `pictures`), and asserts what the text says. The references of the language are
 //! [`rigid_body!`](crate::rigid_body) and [`rigid_system!`](crate::rigid_system); [`recipes`] has
 //! programs for common tasks.
 //!
 //! 1. [A falling plank](falling_plank): the two balances, and a first body.
-//! 2. [Units and frames](units_and_frames): what numbers mean, and in which axes.
+//! 2. [Units and frames](units_and_frames): the units of numbers and the axes of vectors.
 //! 3. [Tops](tops): free rotation, precession, the heavy top.
 //! 4. [Reactions](reactions): the loads of supports.
 //! 5. [Constraints](constraints): rolling, sliding, and contacts that end.
 //! 6. [Systems](systems): several bodies, and closed loops.
-//! 7. [Speed](speed): what an evaluation costs, and how to pay less.
+//! 7. [Speed](speed): the cost of an evaluation, and how to reduce it.
 //! 8. [Accuracy](accuracy): errors, their sources, and how to check them.
 //! 9. [Gallery](gallery): pictures of motions, and the programs that draw them.
 //!

@@ -158,8 +158,8 @@ pub trait Reactions: RigidBody {
 /// unknown. The motion is assumed to be one that the drives can produce. Balances in which no drive
 /// appears are ignored. If there are fewer drives than other balances, the remaining acceleration
 /// is least in the metric of the kinetic energy (Gauss's principle). Given loads act as well: if a
-/// joint has both a given drive and an open one, the open one is what the motion requires beyond the
-/// given one.
+/// joint has both a given drive and an open one, the open drive is the required load minus the given
+/// drive.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `inverse`",
     label = "add `inverse` to its `outputs`"

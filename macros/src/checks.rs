@@ -60,7 +60,7 @@ impl Evidence<'_> {
             if left.len() == count {
                 let message = match found {
                     Exact::Open(symbols) if symbols.iter().all(is_given) => {
-                        "what is given here follows from each other: give one of them a number"
+                        "these given values depend on each other: give one of them a number"
                             .to_owned()
                     }
                     Exact::Open(symbols) => format!("this {}", self.lacking(&symbols)),
@@ -193,8 +193,7 @@ impl Evidence<'_> {
     }
 }
 
-const UNDECIDED: &str =
-    "whether something in this is zero is not told by thousands of bits, nor proved";
+const UNDECIDED: &str = "a subexpression is zero to thousands of bits, but not proved to be zero";
 
 /// The symbols that a value lacks. A symbol that follows from the motion is replaced by the symbols
 /// that it lacks itself.

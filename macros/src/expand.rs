@@ -52,7 +52,8 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
             solve(&outline, system, file, work, &mut errors)
         });
     if errors.is_empty() && solved.is_none() {
-        let message = "no meaning was found for this description, and no mistake in it either";
+        let message =
+            "internal error: this description was rejected without an error; please report it";
         errors.push(outline.name.span(), message);
     }
     let tracked = description.file.as_ref();

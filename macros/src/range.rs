@@ -40,7 +40,7 @@ impl Constants<'_> {
         );
             return;
         }
-        // nothing was concluded from the defaults, and doubles round what is undecided to zero
+        // an undecided value comes from the defaults alone, and is no error: doubles round it to zero
         let out_of_range = |id: &Id| {
             let number = graph.as_number(*id).filter(|number| !number.is_undecided());
             graph.is_undefined(*id) || number.is_some_and(|number| !number.fits_f64())

@@ -91,13 +91,13 @@ fn what_is_wrong_with_bodies_is_said() {
     check(
         &body("<inertial mass=\"1\" diaginertia=\"1 1 3\"/>"),
         &[
-            "3, `<inertial>` of body `a`: no body has this inertia: its moment about z is larger than the other two together (3 > 2); is a decimal point out of place? `0.3` instead of `3` would do",
+            "3, `<inertial>` of body `a`: no body has this inertia: its moment about z is larger than the other two together (3 > 2); is a decimal point out of place? `0.3` instead of `3` would be possible",
         ],
     );
     check(
         &body("<geom type=\"mesh\" mesh=\"m\"/>"),
         &[
-            "3, `<geom>` of body `a`: what a mesh weighs is not computed here: write `<inertial>`, or `mass=\"0\"`",
+            "3, `<geom>` of body `a`: the mass of a mesh is not computed: write `<inertial>`, or `mass=\"0\"`",
         ],
     );
     check(

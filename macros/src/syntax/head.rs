@@ -55,7 +55,7 @@ pub fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Descripti
     if body.delimiter() != Delimiter::Brace {
         errors.push(
             body.span_open(),
-            format!("a description stands in braces: `{name} {{ .. }}`"),
+            format!("a description belongs in braces: `{name} {{ .. }}`"),
         );
     }
     if let Some(extra) = after.first() {
@@ -106,9 +106,9 @@ fn from_name<'t>(tokens: &'t [TokenTree], errors: &mut Errors) -> Option<&'t [To
             errors.push(
                 hash.span(),
                 if is_doc {
-                    "documentation of the generated type stands inside: `doc: \"..\"`"
+                    "documentation of the generated type belongs inside: `doc: \"..\"`"
                 } else {
-                    "no attribute can stand here: leave it out"
+                    "an attribute is not allowed here: leave it out"
                 },
             );
         }

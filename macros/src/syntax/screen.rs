@@ -176,7 +176,7 @@ impl Screen<'_> {
                 Group::new(Delimiter::Bracket, inner)
             }
             Delimiter::Bracket if is_value_in_brackets(group, before, function) => {
-                let message = "no list can stand here: leave these brackets out";
+                let message = "a list is not allowed here: leave these brackets out";
                 self.errors.push(group.span_open(), message);
                 let inner = self.stream(group.stream(), depth + 1, None);
                 Group::new(Delimiter::Parenthesis, inner)
@@ -189,12 +189,12 @@ impl Screen<'_> {
                     ),
                     _ if has_comma(group) => (
                         group.span_open(),
-                        "no list can stand here: a vector is `world(x, y, z)` or `body(x, y, z)`, \
+                        "a list is not allowed here: a vector is `world(x, y, z)` or `body(x, y, z)`, \
                          an inertia `principal(x, y, z)` or `tensor { .. }`",
                     ),
                     _ => (
                         group.span_open(),
-                        "no list can stand here: brackets hold a unit behind a number, as in \
+                        "a list is not allowed here: brackets hold a unit behind a number, as in \
                          `2[kg]`",
                     ),
                 };

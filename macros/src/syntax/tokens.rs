@@ -128,7 +128,7 @@ pub fn without_attributes<'t>(tokens: &'t [TokenTree], errors: &mut Errors) -> &
     if let (true, Some(hash)) = (rest.len() < tokens.len(), tokens.first()) {
         errors.push(
             hash.span(),
-            "no documentation or attribute can stand here: comments begin with `//`",
+            "documentation and attributes are not allowed here: comments begin with `//`",
         );
     }
     rest

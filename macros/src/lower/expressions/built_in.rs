@@ -106,7 +106,7 @@ impl Lowering<'_> {
             "ground" if !self.members.bodies.is_empty() => POINT_OF_GROUND.to_owned(),
             key if key_meant(key) == Some(key) => {
                 format!(
-                    "`{key}` is a key and no name: a value that is used twice stands in `params`"
+                    "`{key}` is a key and no name: a value that is used twice belongs in `params`"
                 )
             }
             _ if self.scope.constraint(&word).is_some() => {

@@ -60,14 +60,12 @@ impl Lowering<'_> {
                 function.span(),
                 "`moment(..)` stands alone after the name of a reaction or a field",
             ),
-            "principal" | "tensor" | "products" => self.report(
-                function.span(),
-                format!("`{word}(..)` is an inertia: it goes after `inertia:`"),
-            ),
-            _ if is_solid(function) => self.report(
-                function.span(),
-                format!("`{word}(..)` is an inertia: it goes after `inertia:`"),
-            ),
+            word if is_solid(function) || matches!(word, "principal" | "tensor" | "products") => {
+                self.report(
+                    function.span(),
+                    format!("`{word}(..)` is an inertia: it goes after `inertia:`"),
+                )
+            }
             _ if is_function(&word) => {
                 let first = arguments.first().and_then(|first| self.value(first));
                 let of_vector = first.and_then(|first| match first {
@@ -128,7 +126,10 @@ impl Lowering<'_> {
                 );
             }
             "about" => {
-                return self.report(method.span(), "`.about(P)` stands at the end of an inertia");
+                return self.report(
+                    method.span(),
+                    "`.about(P)` belongs at the end of an inertia",
+                );
             }
             _ => {}
         }

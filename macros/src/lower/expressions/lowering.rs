@@ -137,7 +137,9 @@ impl Lowering<'_> {
             {
                 self.report(
                     expression.extent,
-                    format!("{what} is a vector, and this is a moment: moments stand in `moments`"),
+                    format!(
+                        "{what} is a vector, and this is a moment: moments belong in `moments`"
+                    ),
                 )
             }
             Value::Scalar(..) => {

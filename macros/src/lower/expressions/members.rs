@@ -39,8 +39,9 @@ impl Lowering<'_> {
                     (_, Some((form, _))) => ("joint", *form),
                     _ => ("joint", "angle"),
                 };
-                let message =
-                    format!("`{name}` is a {word}: write what of it, such as `{name}.{form}`");
+                let message = format!(
+                    "`{name}` is a {word}: name one of its quantities, such as `{name}.{form}`"
+                );
                 return Some(self.report(name.span(), message));
             }
             Kind::Field(receiver, word) => (receiver, word, None),
@@ -277,7 +278,9 @@ impl Lowering<'_> {
 
 /// The end of the error for the name of a body or a joint that is not described.
 pub fn missing_member(name: &Ident) -> String {
-    format!(": bodies stand in `bodies`, as `{name} {{ mass: 1[kg], .. }}`, and joints in `joints`")
+    format!(
+        ": bodies belong in `bodies`, as `{name} {{ mass: 1[kg], .. }}`, and joints in `joints`"
+    )
 }
 
 /// The end of a message about an unknown word: one of `known` that it means or resembles.

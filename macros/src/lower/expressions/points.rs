@@ -64,7 +64,7 @@ impl Lowering<'_> {
             }
             Value::Carried(..) => self.report(
                 expression.extent,
-                "this point is on another body: what stands in the braces of a body acts on that \
+                "this point is on another body: what is written in the braces of a body acts on that \
                  body alone",
             ),
             other => self.report(

@@ -141,7 +141,7 @@ impl Lowering<'_> {
                 if let Some(Some(mass)) = &part.mass {
                     return self.report(
                         mass.extent,
-                        "the mass of a point stands in its parentheses: leave `.mass(..)` out",
+                        "the mass of a point belongs in its parentheses: leave `.mass(..)` out",
                     );
                 }
                 let [mass] = arguments.as_slice() else {

@@ -85,7 +85,7 @@ impl Lowering<'_> {
         self.report(
             place,
             format!(
-                "this body is all but a rod: its least moment of inertia is {least:.0e} of the largest, \
+                "this body is nearly a rod: its least moment of inertia is {least:.0e} of the largest, \
                  and {under} it could turn about that axis, with less than 7 \
                  correct digits; make it thicker, or write `motion: rod(axis)`"
             ),
@@ -205,7 +205,7 @@ impl Lowering<'_> {
                 entry.extent,
                 format!(
                     "{message}; is a decimal point out of place? `{mended}` instead of \
-                     `{digits}` would do"
+                     `{digits}` would be possible"
                 ),
             );
         }

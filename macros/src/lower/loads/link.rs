@@ -59,7 +59,7 @@ impl Lowering<'_> {
         if first == second {
             return self.report(
                 q.extent,
-                "a link is between two bodies, or a body and the ground: both points move alike",
+                "a link is between two bodies, or a body and the ground: these points keep their distance anyway",
             );
         }
         if self.work.graph.is_zero(size) {

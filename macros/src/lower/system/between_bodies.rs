@@ -58,7 +58,7 @@ impl Reader<'_> {
             return errors.report(
                 value.extent,
                 "a force of a system acts between two points: write `tension.between(P, Q)`; what acts \
-                 on one body stands in its braces",
+                 on one body belongs in its braces",
             );
         };
         let ends = self.ends([p, q], "a tension", errors);
@@ -222,7 +222,7 @@ impl Reader<'_> {
         {
             return errors.report(
                 again.extent,
-                "a moment between two bodies, and both are one: it cancels",
+                "both bodies are the same, so the moment cancels",
             );
         }
         let vector = vector?;

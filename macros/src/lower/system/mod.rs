@@ -140,7 +140,7 @@ fn check_still(outline: &Outline, errors: &mut Errors) {
     }
     for asked in outline.outputs.iter().filter(|asked| asked.is_of_motion) {
         let message = format!(
-            "nothing moves by itself, because all joints are welds, or driven, and `{}` is of what does: \
+            "nothing moves by itself, because all joints are welds, or driven, and `{}` describes a motion: \
              `reactions` has the drives of joints that are driven",
             asked.word
         );

@@ -51,8 +51,8 @@ pub fn about_axis(
         of(Kind::Swinging).next(),
     ) {
         obstacles.push(format!(
-            "the moment of `{}` is constant and that of `{}` makes a pendulum: each has one alone, \
-             but not together",
+            "the moment of `{}` is constant and that of `{}` makes a pendulum: each alone has a closed \
+             form, but both together have none",
             steady.name, weight.name
         ));
     }

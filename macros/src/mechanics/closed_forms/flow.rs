@@ -187,7 +187,7 @@ fn report_moments(
             format!("depends on {}", dependence(work, &load.moment))
         };
         let reason = match (is_symmetric, is_constant) {
-            _ if is_rod => "and a rod has one only without moments",
+            _ if is_rod => "and a rod has a closed form only without moments",
             (false, _) if is_known(model, work) => {
                 "and the body is not symmetric about an axis through it"
             }
@@ -207,7 +207,7 @@ fn report_moments(
     if obstacles.len() == before {
         let names = harmless.join(" and ");
         obstacles.push(format!(
-            "of the moments of {names} each has one alone, but not together"
+            "each of the moments of {names} alone has a closed form, but all together have none"
         ));
     }
 }

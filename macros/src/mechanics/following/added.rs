@@ -90,7 +90,7 @@ impl Added {
         self.links.is_empty()
     }
 
-    /// The tree with loads written by this inertia, as functions of the symbols of the
+    /// The tree with its loads written as `W(0) - C a`, as functions of the symbols of the
     /// accelerations.
     pub fn by_symbols(&self, work: &mut Workspace, tree: &Tree) -> Tree {
         if self.is_nothing() {

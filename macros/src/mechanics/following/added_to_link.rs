@@ -36,7 +36,7 @@ impl AddedToLink {
         }
         let zeros = work.graph.zeros();
         let (force, moment) = wrench(work, body, all.iter().copied(), zeros);
-        // a step of an acceleration has no slope
+        // `signum(a)` has slope zero, and would look constant
         let symbols = felt.acceleration.concat();
         if !work.graph.is_linear(&[force, moment].concat(), &symbols) {
             return None;

@@ -4,8 +4,8 @@
 use crate::model::Defaults;
 use crate::symbolic::{Graph, Id, Number};
 
-/// The entries that a constant matrix must not have negative, so that it has no negative eigenvalue:
-/// those whose sign is unknown. Entries on the diagonal with nothing beside them are such entries; the
+/// The entries that must be nonnegative for a constant matrix to be positive semidefinite: those whose
+/// sign is unknown. Entries on the diagonal with nothing beside them are such entries; the
 /// others must be numbers times a single one. `None` if the matrix is not symmetric or not of this
 /// form, or has a negative eigenvalue.
 pub fn unknown_signs(graph: &mut Graph, columns: &[Vec<Id>], masses: &[Id]) -> Option<Vec<Id>> {
@@ -103,7 +103,7 @@ pub fn pivots_of_sum(graph: &mut Graph, own: &[Vec<Id>], added: &[Vec<Id>]) -> O
     Some(pivots)
 }
 
-/// Whether a number is told not to be negative.
+/// Whether a number is proved nonnegative.
 pub fn is_not_negative(number: &Number) -> bool {
     !number.is_negative() && !number.is_undecided()
 }

@@ -64,7 +64,7 @@ pub fn check_linear<'l>(
         };
         if !unknowns_in(work, &point).is_empty() {
             let Followed { any, .. } = followed.in_parts(work, &point);
-            let message = format!("where `{name}` acts cannot depend on {any}");
+            let message = format!("the point of action of `{name}` cannot depend on {any}");
             errors.push(place, message);
             continue;
         }

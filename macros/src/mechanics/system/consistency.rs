@@ -31,8 +31,7 @@ pub fn derive_system_consistency(
     let rows = closed.rows().enumerate();
     let rows = rows.map(|(number, row)| {
         let own = couplings[number][number];
-        // a row that is flat where a linkage folds may be off by as much as the other rows of its
-        // joint
+        // a row that is flat where a linkage folds gets the tolerance of the other rows of its joint
         let part = parts[number];
         let is_alike = |other: usize| part.is_some() && parts[other] == part;
         let alike = (0..couplings.len()).filter(|other| is_alike(*other));

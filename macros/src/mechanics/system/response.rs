@@ -24,7 +24,7 @@ use super::rates::order;
 /// The balances along the freedoms of a tree, with given accelerations.
 pub struct Response {
     slopes: Slopes,
-    /// The load that is lacking along each freedom, as a function of the symbols of the
+    /// The generalized force missing along each freedom, as a function of the symbols of the
     /// accelerations.
     pub lacking: Vec<Id>,
     /// The accelerations that these symbols stand for.

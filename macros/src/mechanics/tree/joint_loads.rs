@@ -111,7 +111,7 @@ fn driven(
     load
 }
 
-/// The load that is lacking along each open coordinate, for these accelerations.
+/// The generalized force missing along each open coordinate, for these accelerations.
 pub fn lacking(
     (graph, labels): (&mut Graph, &mut Labels),
     tree: &Tree,
@@ -127,8 +127,8 @@ pub fn lacking(
     all.collect()
 }
 
-/// The load that is lacking along a coordinate with this acceleration, whose joint transmits a
-/// load.
+/// The generalized force missing along a coordinate, given its acceleration and the load of its
+/// joint.
 pub fn lacks(graph: &mut Graph, freedom: &Freedom, load: SpatialVector, acceleration: Id) -> Id {
     let carried = freedom.twist.dot(graph, load);
     let own = graph.multiply(freedom.armature, acceleration);

@@ -134,7 +134,7 @@ pub fn check_misplaced(
         let what = if others.is_empty() {
             format!("`{name}` acts against no constraint")
         } else {
-            format!("what `{name}` keeps, `{others}` can keep too")
+            format!("`{others}` can replace `{name}`")
         };
         let advice = match smooth_support(work, constraint) {
             none if none.is_empty() => {

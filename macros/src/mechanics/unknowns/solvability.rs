@@ -100,7 +100,7 @@ pub const OF_REACTIONS: Advice<'static> = Advice {
 };
 
 pub const OF_DRIVES: Advice<'static> = Advice {
-    alone: "it has no part in how the body moves freely",
+    alone: "it does not act along a free direction",
     zero: "if it is at rest",
 };
 
@@ -158,8 +158,8 @@ pub fn check_determined<'a>(
                 combination(&terms)
             ),
             None => format!(
-                "more is unknown than the balances determine: what `{name}` does, {} can do; write \
-                 the value of one of them, 0 {zero}",
+                "more is unknown than the balances determine: {} can replace `{name}`; write the value \
+                 of one of them, 0 {zero}",
                 others.join(" and ")
             ),
         };

@@ -21,8 +21,8 @@ pub fn why_not(word: &str, operands: &[Number]) -> String {
     let of = shown(x);
     match (word, rest) {
         _ if operands.iter().any(is_nearly_whole) => format!(
-            "`{word}` is not known here: whether its argument is exactly {of} is not told by thousands of \
-             bits; write what it is as a number"
+            "`{word}` is not known here: thousands of bits do not decide whether its argument is exactly {of}; \
+             write it as a number"
         ),
         ("/", _) => "this is zero, and nothing can be divided by it".to_owned(),
         ("powf", [y]) if x.is_negative() && !y.is_whole() => format!(

@@ -27,7 +27,7 @@ impl<S: Subject> Output<S> for Sensitivity {
     fn derive(&mut self, basis: &mut Basis<'_, S>) -> Option<()> {
         let place = basis.outline.place(OFFER.word);
         if let Some(place) = place.filter(|_| basis.outline.params.is_empty()) {
-            let message = "there are no `params`, and `sensitivity` is what the accelerations change by with these";
+            let message = "there are no `params`, and `sensitivity` is the derivative of the accelerations with respect to them";
             basis.errors.push(place, message);
             return None;
         }

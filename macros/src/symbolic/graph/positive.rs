@@ -72,7 +72,7 @@ impl Graph {
                 Node::Quantity(a) => known(*a),
                 Node::Add(a, b) => known(*a).plus(known(*b)),
                 Node::Multiply(a, b) if a == b => known(*a).squared(),
-                // where a zero has to show, only the form counts in which it is divided by
+                // for a divisor, only its written form counts: a zero must appear in the quotient
                 Node::Multiply(a, b) if positive.is_empty() => known(*a).times(known(*b)),
                 Node::Multiply(..) => self.sign_of_product(id, known),
                 Node::Divide(a, b) => known(*a).times(known(*b)),

@@ -16,7 +16,7 @@ impl System<'_> {
             change[*column] = self.graph.one();
         }
         let order = self.order();
-        // steps that wait for each other would be a bug: better no value than a wrong one
+        // a cycle of steps would be a bug; its unknowns become undefined
         for step in (0..self.steps.len()).filter(|step| !order.contains(step)) {
             values[self.steps[step].column] = self.graph.undefined();
         }

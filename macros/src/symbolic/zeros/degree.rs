@@ -30,8 +30,8 @@ const CERTAINTY: f64 = 1_152_921_504_606_846_976.0;
 const PRIME: f64 = CERTAINTY * CERTAINTY * 128.0;
 
 impl Tape<'_> {
-    /// Whether values modulo a prime can prove identities: an expression that is zero at a random
-    /// place is zero everywhere, and two that are equal there are equal everywhere.
+    /// Whether the degree is low enough for one random value to prove an identity: an expression that
+    /// is zero at a random place is zero everywhere, and two that are equal there are equal everywhere.
     pub fn is_told_by_residues(&self) -> bool {
         let degrees = self.values(&mut Degrees, |_, _| UNKNOWN);
         let sum: f64 = degrees.iter().map(|of| of.above + of.below).sum();

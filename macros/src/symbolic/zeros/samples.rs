@@ -100,9 +100,10 @@ impl Graph {
         (0..roots.len()).map(of).collect()
     }
 
-    /// Whether each of `roots` is zero, if one or two evaluations tell; `None` if all branches must be
-    /// tried. A root that is nonzero on the first branch is not zero. If there are too many branches to
-    /// try all of them, a root is zero if it is zero on the first, and with symbols for all choices.
+    /// Whether each of `roots` is zero, if one or two evaluations decide it; `None` if all branches
+    /// must be tried. A root that is nonzero on the first branch is not zero. If there are too many
+    /// branches to try all of them, a root is zero if it is zero on the first, and with symbols for all
+    /// choices.
     pub fn told_at_once(&self, roots: &[Id], symbol: impl Fn(Id) -> Residue) -> Vec<Option<bool>> {
         let tape = self.tape(roots);
         let values_on = |side: &mut dyn FnMut(Side) -> Option<bool>| {

@@ -37,7 +37,7 @@ pub fn parse_declaration(
             if dot.as_char() == '.' && word == "moving" =>
         {
             if key == "inputs" {
-                let message = "`.moving` stands at the end, as in `u[N].moving`: move it there";
+                let message = "`.moving` belongs at the end, as in `u[N].moving`: move it there";
                 errors.push(word.span(), message);
             }
             match rest {
@@ -126,7 +126,7 @@ fn parse_unit(
         return UnitExpression::parse(group, errors);
     };
     if key == "inputs" && is_punct(next, '.') {
-        let message = format!("what may follow the unit is `.moving`: write `{name}[..].moving`");
+        let message = format!("only `.moving` may follow the unit: write `{name}[..].moving`");
         return errors.report(start(next), message);
     }
     if !is_punct(next, '=') {

@@ -47,7 +47,7 @@ pub fn parse_entry(into: &mut Description, key: &str, entry: &[TokenTree], error
         "states" => {
             let state = parse_declaration(name, key, rest, errors);
             let message =
-                "a state changes by its rate, which stands in `rates`: leave `.moving` out";
+                "a state changes by its rate, which belongs in `rates`: leave `.moving` out";
             check_not_moving(&state, message, errors);
             into.states.push(state);
         }
@@ -143,7 +143,7 @@ pub fn parse_name<'t>(
         [TokenTree::Ident(word), TokenTree::Ident(name), ..]
             if word == "moving" && key == "inputs" =>
         {
-            let message = "`.moving` stands at the end, as in `u[N].moving`: move it there";
+            let message = "`.moving` belongs at the end, as in `u[N].moving`: move it there";
             errors.push(word.span(), message);
             let derivatives = ["rate", "acceleration"].map(|order| format!("{name}_{order}"));
             into.lost.extend(derivatives);
@@ -267,7 +267,7 @@ fn parse_load(
                 } else {
                     errors.push(
                         method.span(),
-                        "charges stand in a field: write `fields: [name = \
+                        "charges belong in a field: write `fields: [name = \
                          world(..).on([q.at(P)])]`",
                     );
                     return load;
@@ -301,7 +301,7 @@ fn vector_of_moment(
     errors: &mut Errors,
 ) -> Option<Expression> {
     let message = if kind.is_some() {
-        "a force is expected here: moments stand in `moments` or `joint_moments`"
+        "a force is expected here: moments belong in `moments` or `joint_moments`"
     } else if arguments.len() == 1 {
         return arguments.pop();
     } else {

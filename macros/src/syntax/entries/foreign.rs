@@ -145,7 +145,7 @@ fn arguments(
 ) -> Option<Vec<(Ident, Option<UnitExpression>)>> {
     let entries = split(list.stream(), Entry::Defined, errors);
     if entries.is_empty() {
-        let message = "a function has an argument: what has none is one of `constants`";
+        let message = "a function needs an argument: declare a value without one in `constants`";
         return errors.report(list.span_open(), message);
     }
     if let Some(first) = entries.get(ARGUMENTS).and_then(|entry| entry.first()) {
@@ -192,7 +192,7 @@ fn with_derivatives<'t>(
             TokenTree::Group(list),
         ] if is_punct(dot, '.') && list.delimiter() == Delimiter::Parenthesis => {
             if word != "derivatives" {
-                let message = "behind the path of a function there is `.derivatives(..)`, a path for each argument";
+                let message = "only `.derivatives(..)` may follow the path of a function, with a path for each argument";
                 return errors.report(word.span(), message);
             }
             Some((value, Some((word, list))))

@@ -120,7 +120,7 @@ fn parse_further(into: &mut Description, word: &Ident, group: &Group, errors: &m
         return;
     }
     let message = format!(
-        "the keys stand in the braces of `{}`: leave `{word}` and these braces out",
+        "the keys belong in the braces of `{}`: leave `{word}` and these braces out",
         into.name
     );
     errors.push(group.span_open(), message);

@@ -142,12 +142,12 @@ impl Reader<'_> {
             let mut shared = shared.iter().filter(|name| all.contains(name));
             if has_law && !says_all {
                 let message = format!(
-                    "its class says what a `<{kind}>` does, which `MuJoCo` takes for all actuators: give it another class"
+                    "its class sets attributes of `<{kind}>`, which `MuJoCo` applies to all actuators: give it another class"
                 );
                 self.report::<()>(node, message);
             } else if let Some(word) = shared.find(|name| !node.has_attribute(**name)) {
                 let message = format!(
-                    "its class says `{word}` of `<{kind}>`, which `MuJoCo` takes for all actuators: write it here"
+                    "its class sets `{word}` of `<{kind}>`, which `MuJoCo` applies to all actuators: write it here"
                 );
                 self.report::<()>(node, message);
             }

@@ -57,7 +57,7 @@ impl Reading<'_> {
                 "body" => pending.push((node, None::<usize>, None::<&str>)),
                 "geom" => reader.skip("geom"),
                 _ => {
-                    reader.report::<()>(node, "this stands in a body, and not in the world");
+                    reader.report::<()>(node, "this belongs in a body, and not in the world");
                 }
             }
         }

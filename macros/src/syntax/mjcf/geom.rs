@@ -180,8 +180,7 @@ impl Reader<'_> {
             return self.report(node, message);
         }
         if kind > 4 {
-            let message =
-                "what a mesh weighs is not computed here: write `<inertial>`, or `mass=\"0\"`";
+            let message = "the mass of a mesh is not computed: write `<inertial>`, or `mass=\"0\"`";
             return self.report(node, message);
         }
         let place = self.placed_geom(element, word, settings);

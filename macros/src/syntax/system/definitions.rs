@@ -56,7 +56,7 @@ impl System {
         if !is_punct(sign, '=') || !is_call {
             return false;
         }
-        let message = format!("a joint stands in `joints`: move `{name} = {kind}(..)` there");
+        let message = format!("a joint belongs in `joints`: move `{name} = {kind}(..)` there");
         errors.push(name.span(), message);
         self.parse_definition("joints", entry, errors);
         true

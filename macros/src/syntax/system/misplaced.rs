@@ -112,7 +112,7 @@ pub fn parse_lone_body(
     let key = system.lone.as_ref()?;
     errors.take_back(0);
     let message = format!(
-        "`{key}` belongs to a body: for a single body write `rigid_body!`; the bodies of a system stand in \
+        "`{key}` belongs to a body: for a single body write `rigid_body!`; the bodies of a system belong in \
          `bodies: [arm {{ .. }}]`"
     );
     errors.push(key.span(), message);

@@ -213,14 +213,14 @@ impl System {
         match found {
             Outside::Body(group) => {
                 let message =
-                    format!("a body stands in `bodies`: write `bodies: [.., {name} {{ .. }}]`");
+                    format!("a body belongs in `bodies`: write `bodies: [.., {name} {{ .. }}]`");
                 errors.push(name.span(), message);
                 let entry = [name.clone().into(), TokenTree::Group(group.clone())];
                 self.parse_body(&entry, errors);
             }
             Outside::Keys(group) => {
                 let message = format!(
-                    "the keys stand in the braces of the system: leave `{name}` and these braces out"
+                    "the keys belong in the braces of the system: leave `{name}` and these braces out"
                 );
                 errors.push(group.span_open(), message);
                 for entry in split(group.stream(), Entry::Key, errors) {

@@ -101,7 +101,7 @@ impl<'e> Reader<'e> {
                 self.skip(name);
             } else if ["link", "joint"].contains(&name) {
                 let message =
-                    "this stands in `<robot>`, beside the links and joints, and not in one";
+                    "this belongs in `<robot>`, beside the links and joints, and not in one";
                 self.has_lost_names = true;
                 self.report::<()>(child, message);
             } else if let Some(meant) = similar(name, known.iter().copied()) {

@@ -287,7 +287,7 @@ impl Lowering<'_> {
             return Some(());
         }
         let (these, x) = (knots.dimension.described(), of_x.described());
-        let message = format!("these places are {these}, and what the table is read at is {x}");
+        let message = format!("the grid points are {these}, but the argument is {x}");
         self.report(places.extent, message)
     }
 

@@ -34,7 +34,7 @@ impl Reader<'_> {
             if self.work.graph.is_zero_vector(&across) {
                 errors.push(
                     written[1].extent,
-                    "the axes of a universal joint are not parallel: about parallel ones it turns twice alike",
+                    "the axes of a universal joint are not parallel: parallel axes give only one degree of freedom",
                 );
                 return None;
             }
@@ -221,12 +221,12 @@ impl Reader<'_> {
             }
             (_, true) => {
                 return format!(
-                    "a joint of a drawing has no `{word}`: what may follow is `.at(..)`, `.driven(angle)` and `.armature(J)`"
+                    "a joint of a drawing has no `{word}`: only `.at(..)`, `.driven(angle)` and `.armature(J)` may follow"
                 );
             }
             (_, false) => {
                 return format!(
-                    "a joint has no `{word}`: what may follow is `.turned(axis, angle)`, `.driven(angle)` and `.armature(J)`"
+                    "a joint has no `{word}`: only `.turned(axis, angle)`, `.driven(angle)` and `.armature(J)` may follow"
                 );
             }
         };

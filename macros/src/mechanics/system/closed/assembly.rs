@@ -81,7 +81,7 @@ impl<'a> Assembly<'a> {
             self.moves(&values, &mut random)
                 .then(|| self.independent_at(&values))
         });
-        // folded states have fewer independent rows, but they are not the states that are meant
+        // folded states have fewer independent rows, but the generic closed state is wanted
         let found = closed.max_by_key(|found| count(found))?;
         (count(&found) < most).then_some(found)
     }

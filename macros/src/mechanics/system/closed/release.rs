@@ -142,7 +142,7 @@ fn without_joints(system: &System, undetermined: &Undetermined) -> Vec<Way<Id>> 
     ways.collect()
 }
 
-/// What matters of a joint here.
+/// Name and kind of a joint, and whether it is driven.
 struct Holder {
     name: String,
     kind: &'static str,

@@ -12,7 +12,7 @@ use super::super::constraints::{
     ConstraintRow, Ends, Placed, place_links, rows_of_joint, rows_of_written,
 };
 
-/// What a row comes from.
+/// The joint or written constraint that a row belongs to.
 pub enum Keeper {
     /// A joint that closes a loop, by its index, and the force and moment of a unit of the row's
     /// load.
@@ -36,7 +36,7 @@ pub struct Known<'a> {
 }
 
 impl<'a> Known<'a> {
-    /// Any form of the tree will do, except that the origins of its links must be at their joints.
+    /// The tree may have any form, but the origins of its links must be at their joints.
     /// `motion` is the change of the state in time.
     pub fn of(
         system: &'a System,

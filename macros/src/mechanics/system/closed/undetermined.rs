@@ -229,7 +229,7 @@ pub fn check_kept(
         let is_open = spare.any(|spare| !work.graph.vanishes(spare.loads[number]));
         if is_open && followed.contains(symbol) && !is_reported {
             let message = format!(
-                "loads follow that of `{}`, and the balances do not determine it: others can replace it",
+                "other loads depend on the load of `{}`, which the balances do not determine",
                 constraint.name
             );
             errors.push(constraint.extent, message);

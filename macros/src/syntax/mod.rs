@@ -33,7 +33,7 @@ pub use expression::{Called, Expression, Kind, Operator, Prefix, Step, call};
 pub use motion::{ROD, SUPPORTS};
 pub use system::{CABLE, Center, File, LINK, System, file_beside, parse_lone_body, parse_system};
 pub use unit::UnitExpression;
-pub use words::{BUILT_IN, joined};
+pub use words::{BUILT_IN, NOT, joined};
 
 /// A whole description.
 #[derive(Clone)]

@@ -16,7 +16,7 @@ use super::brackets::{
 use super::nesting::{DEPTH, Nested, crossed_limit, too_deep};
 use super::tokens::{argument_name, has_comma, is_parenthesized, is_punct, start, with_commas};
 use super::unit::UnitExpression;
-use super::words::is_keyword;
+use super::words::{NOT, is_keyword};
 
 /// What other tools write as properties of joints.
 const LOADS_OF_JOINTS: [&str; 5] = ["damping", "friction", "stiffness", "spring", "effort"];
@@ -313,7 +313,7 @@ impl Screen<'_> {
         let is_value =
             |token: &TokenTree| matches!(token, TokenTree::Ident(_) | TokenTree::Literal(_));
         if text == "not" && after.first().is_some_and(is_value) {
-            return self.refuse(word.span(), "`not` is written `!`: write `!(..)`");
+            return self.refuse(word.span(), NOT);
         }
         if matches!(text.as_str(), "if" | "else" | "true" | "false") || !is_keyword(&text) {
             return Some(word.clone());

@@ -13,6 +13,9 @@ const KEYWORDS: [&str; 52] = [
     "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
+/// The error for `not`.
+pub const NOT: &str = "`not` is written `!`: write `!(..)`";
+
 /// Names with a meaning in every description.
 pub const BUILT_IN: [&str; 11] = [
     "t",

@@ -6,7 +6,7 @@ use crate::errors::{Extent, function_meant, hint, vector_method_meant};
 use crate::fraction::Fraction;
 use crate::model::{Dimension, Frame, is_solid};
 use crate::symbolic::{Function, Id, Number};
-use crate::syntax::{Expression, Kind, Prefix};
+use crate::syntax::{Expression, Kind, NOT, Prefix};
 
 use super::lowering::Lowering;
 use super::scope::Value;
@@ -53,9 +53,7 @@ impl Lowering<'_> {
                 function.span(),
                 "the gradient of a constraint is its method: write `name.gradient()`",
             ),
-            "not" if self.scope.look_up(&word).is_none() => {
-                self.report(function.span(), "`not` is written `!`: write `!(..)`")
-            }
+            "not" if self.scope.look_up(&word).is_none() => self.report(function.span(), NOT),
             "moment" => self.report(
                 function.span(),
                 "`moment(..)` stands alone after the name of a reaction or a field",

@@ -1,6 +1,7 @@
 //! Checks that the constraints determine the unknowns, the unknowns keep all constraints, and smooth
 //! supports do no work, with errors at their places.
 
+use core::fmt::Display;
 use std::collections::BTreeSet;
 
 use crate::errors::{Errors, Extent};
@@ -53,21 +54,22 @@ pub fn check_independent(
             continue;
         };
         let others: BTreeSet<usize> = of.into_iter().flatten().copied().collect();
-        let others: Vec<String> = others
-            .into_iter()
-            .map(|other| format!("`{}`", constraints[other].name))
-            .collect();
-        let name = &constraint.name;
-        let message = if others.is_empty() {
-            format!("no acceleration changes `{name}`: no load can keep it at zero")
-        } else {
-            let others = others.join(" and ");
-            format!("`{name}` is kept already by {others}: leave one of them out")
-        };
-        errors.push(constraint.place.span(), message);
+        let others = others.into_iter().map(|other| &constraints[other].name);
+        errors.push(constraint.place.span(), dependent(&constraint.name, others));
         independent = false;
     }
     independent.then_some(())
+}
+
+/// The error for a constraint that follows from these others, or that is trivial.
+pub fn dependent(name: impl Display, others: impl IntoIterator<Item = impl Display>) -> String {
+    let others = others.into_iter().map(|other| format!("`{other}`"));
+    let others: Vec<String> = others.collect();
+    if others.is_empty() {
+        return format!("no acceleration changes `{name}`: no load can keep it at zero");
+    }
+    let others = others.join(" and ");
+    format!("`{name}` is kept already by {others}: leave one of them out")
 }
 
 /// For each gradient on one branch, the others that it follows from. `None` if it is independent or

@@ -12,6 +12,9 @@ use crate::syntax::tokens::{is_punct, start, stream};
 use crate::syntax::unit::UnitExpression;
 use crate::text::to_text;
 
+/// The error for `moving` before the unit or the name of an input.
+pub const MOVING_BEFORE: &str = "`.moving` belongs at the end, as in `u[N].moving`: move it there";
+
 pub fn parse_declaration(
     name: Ident,
     key: &str,
@@ -37,8 +40,7 @@ pub fn parse_declaration(
             if dot.as_char() == '.' && word == "moving" =>
         {
             if key == "inputs" {
-                let message = "`.moving` belongs at the end, as in `u[N].moving`: move it there";
-                errors.push(word.span(), message);
+                errors.push(word.span(), MOVING_BEFORE);
             }
             match rest {
                 [TokenTree::Group(group), rest @ ..] if is_empty(group) => {

@@ -5,7 +5,7 @@ use proc_macro2::{Delimiter, Ident, TokenTree};
 use crate::errors::{Errors, is_joint, similar};
 
 use super::charges::parse_charges;
-use super::declaration::parse_declaration;
+use super::declaration::{MOVING_BEFORE, parse_declaration};
 use super::definition::{parse_constraint, parse_definition, parse_value};
 use super::foreign::{parse_constant, parse_function};
 use crate::families::Family;
@@ -143,8 +143,7 @@ pub fn parse_name<'t>(
         [TokenTree::Ident(word), TokenTree::Ident(name), ..]
             if word == "moving" && key == "inputs" =>
         {
-            let message = "`.moving` belongs at the end, as in `u[N].moving`: move it there";
-            errors.push(word.span(), message);
+            errors.push(word.span(), MOVING_BEFORE);
             let derivatives = ["rate", "acceleration"].map(|order| format!("{name}_{order}"));
             into.lost.extend(derivatives);
             parse_name(into, key, &entry[1..], errors)

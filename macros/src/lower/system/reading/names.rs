@@ -17,6 +17,16 @@ pub fn declared(system: &syntax::System) -> Vec<String> {
     names.map(ToString::to_string).collect()
 }
 
+/// The names of quantities that a description declares, with what they are.
+fn quantities(top: &syntax::Description) -> Vec<(&Ident, &'static str)> {
+    let declared = top.params.iter().chain(&top.inputs);
+    let declared = declared.map(|one| (&one.name, "param or input"));
+    let states = top.states.iter().map(|state| (&state.name, "state"));
+    let locals = top.locals.iter().map(|local| (&local.name, "local"));
+    let given = declared.chain(states).chain(top.foreign());
+    given.chain(locals).collect()
+}
+
 /// Reads a body. An error that all copies of a body share is reported once.
 pub fn for_copy<T>(
     first: usize,
@@ -39,14 +49,8 @@ pub fn for_copy<T>(
 /// Reports ambiguous and built-in names of bodies and joints, and returns them.
 pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<String> {
     let mut repeated = HashSet::new();
-    let mut seen: Vec<(&Ident, &str)> = Vec::new();
     let top = &system.top;
-    let declared = top.params.iter().chain(&top.inputs);
-    let declared = declared.map(|declaration| (&declaration.name, "param or input"));
-    let states = top.states.iter().map(|state| (&state.name, "state"));
-    let declared = declared.chain(states).chain(top.foreign());
-    let locals = top.locals.iter().map(|local| (&local.name, "local"));
-    seen.extend(declared.chain(locals));
+    let mut seen = quantities(top);
     let bodies = system.bodies.iter().map(|body| (&body.name, "body"));
     let joints = system.joints.iter().map(|joint| (&joint.name, "joint"));
     let cables = system.cables.iter().map(|cable| (&cable.name, "cable"));
@@ -127,17 +131,7 @@ pub fn check_own_names(
     body: &syntax::Description,
     errors: &mut Errors,
 ) -> HashSet<String> {
-    let top = &system.top;
-    let declared = top
-        .params
-        .iter()
-        .chain(&top.inputs)
-        .map(|one| (&one.name, "param or input"));
-    let states = top.states.iter().map(|state| (&state.name, "state"));
-    let declared = declared.chain(states).chain(top.foreign());
-    let all: Vec<(&Ident, &str)> = declared
-        .chain(top.locals.iter().map(|local| (&local.name, "local")))
-        .collect();
+    let all = quantities(&system.top);
     let mut repeated = HashSet::new();
     for own in body.points.iter().chain(&body.locals) {
         if let Some((name, what)) = all.iter().find(|(name, _)| **name == own.name) {

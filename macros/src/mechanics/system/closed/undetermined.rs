@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use crate::errors::Errors;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{Built, Properties};
+use crate::mechanics::unknowns::dependent;
 use crate::model::{System, Workspace};
 use crate::symbolic::{Components, Elimination, Equation, Graph, Id};
 
@@ -209,12 +210,8 @@ pub fn check_kept(
             )
         } else if is_link {
             continue;
-        } else if others.is_empty() {
-            format!("no acceleration changes `{name}`: no load can keep it at zero")
         } else {
-            let others: Vec<String> = others.iter().map(|other| format!("`{other}`")).collect();
-            let others = others.join(" and ");
-            format!("`{name}` is kept already by {others}: leave one of them out")
+            dependent(name, others)
         };
         errors.push(constraint.extent, message);
     }

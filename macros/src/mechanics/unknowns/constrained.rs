@@ -9,7 +9,7 @@ use crate::model::{Level, Model, Workspace};
 use crate::symbolic::Id;
 
 /// The most conditions that are examined together.
-const MOST: usize = 6;
+const MOST_CONDITIONS: usize = 6;
 
 /// A constraint with its derivatives.
 pub struct Constrained {
@@ -46,7 +46,7 @@ pub fn differentiate(model: &Model, work: &mut Workspace) -> Vec<Constrained> {
 /// all.
 pub fn active(work: &mut Workspace, gradient: &[Id]) -> Option<Id> {
     let conditions = work.graph.conditions(gradient);
-    if conditions.is_empty() || conditions.len() > MOST {
+    if conditions.is_empty() || conditions.len() > MOST_CONDITIONS {
         return None;
     }
     let mut idle = work.graph.truth(false);

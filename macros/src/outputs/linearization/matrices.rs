@@ -10,7 +10,7 @@ use crate::mechanics::{Block, Column, Row};
 use crate::model::{AXES, Declared, Group, Outline, Variable};
 
 /// The most blocks that an invalid description gets.
-const MOST: usize = 4096;
+const MOST_BLOCKS: usize = 4096;
 
 /// The tangent space of the states and the inputs, in groups of components.
 pub struct Space {
@@ -97,7 +97,7 @@ impl Space {
 
     /// All possible blocks, unless there are too many.
     pub fn all(&self) -> Vec<Placed> {
-        if self.accelerations.len() * (self.state.len() + self.inputs.len()) > MOST {
+        if self.accelerations.len() * (self.state.len() + self.inputs.len()) > MOST_BLOCKS {
             return Vec::new();
         }
         let attitudes = self.state.iter().enumerate();

@@ -14,7 +14,7 @@ use crate::symbolic::{Components, Graph, Id, Residue};
 use super::undetermined::{Spare, Undetermined};
 
 /// The most joints that are tried together.
-const MOST: usize = 3;
+const MOST_JOINTS: usize = 3;
 /// The most ways to release that are tried.
 const FEW: usize = 60;
 
@@ -60,7 +60,7 @@ pub fn release(system: &System, work: &mut Workspace, undetermined: &Undetermine
     let chosen = fewest(&ways, spare.len()).unwrap_or_else(|| {
         let single = sampled(work, |graph| components(graph, system, spare));
         let singly = one_by_one(&ways, &single);
-        if singly.len() <= MOST {
+        if singly.len() <= MOST_JOINTS {
             return singly;
         }
         let joints = sampled(work, |_| without_joints(system, undetermined));
@@ -73,7 +73,7 @@ pub fn release(system: &System, work: &mut Workspace, undetermined: &Undetermine
 fn fewest(ways: &[Way<Residue>], wanted: usize) -> Option<Vec<String>> {
     let (mut span, mut chosen) = (Span::default(), Vec::new());
     let is_found = ways.len() <= FEW
-        && (1..=MOST).any(|most| search(ways, (0, most), &mut span, (&mut chosen, wanted)));
+        && (1..=MOST_JOINTS).any(|most| search(ways, (0, most), &mut span, (&mut chosen, wanted)));
     is_found.then(|| chosen.iter().map(|way| ways[*way].said.clone()).collect())
 }
 

@@ -139,7 +139,7 @@ impl Shapes {
     }
 
     /// The names of these components.
-    pub fn pair_names(&self) -> Vec<String> {
+    fn pair_names(&self) -> Vec<String> {
         let named = |name: &str, axes: Range<usize>| {
             let axes = AXES[axes].iter();
             axes.map(|axis| format!("{name}_{axis}"))

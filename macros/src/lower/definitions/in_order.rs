@@ -191,7 +191,7 @@ impl Lowering<'_> {
 
     /// Reads some definitions a second time: those that the parts refer to, once G is known; and
     /// those that the direction of a rod refers to, once the axis is known.
-    pub fn read_again(&mut self, definition: Definition, description: &Description) {
+    fn read_again(&mut self, definition: Definition, description: &Description) {
         let (name, _) = definition.of(description);
         if self.scope.peek(&name).is_some() {
             let value = self.read(definition, description);

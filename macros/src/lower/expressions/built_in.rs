@@ -15,8 +15,7 @@ use super::scope::{BUILT_IN, FOLLOWED};
 use super::written::short;
 
 /// The error for `ground` used as a point.
-pub const POINT_OF_GROUND: &str =
-    "a point of the ground is written by its coordinates: `world(..)`";
+const POINT_OF_GROUND: &str = "a point of the ground is written by its coordinates: `world(..)`";
 
 impl Lowering<'_> {
     /// The value of a name. If it is unknown, the error says how to declare one of this dimension.
@@ -316,7 +315,7 @@ impl Lowering<'_> {
     /// The acceleration of G, as symbols. For a body that moves and rotates freely, they are
     /// components in body axes: there, the factors of loads that depend on the acceleration are
     /// known early.
-    pub fn acceleration_of_center(&mut self) -> Vector {
+    fn acceleration_of_center(&mut self) -> Vector {
         let (motion, body) = (self.motion, self.state.body);
         let turns = motion.has_attitude() && !motion.is_line();
         // in systems and under constraints, it is solved for together with all other unknowns, in

@@ -68,7 +68,7 @@ impl RandomState {
 }
 
 /// `(1 - s^2, 2 s) / (1 + s^2)` for a vector s: a unit vector with one more dimension.
-pub fn unit_vector<const N: usize, const M: usize>(s: [Residue; N]) -> [Residue; M] {
+fn unit_vector<const N: usize, const M: usize>(s: [Residue; N]) -> [Residue; M] {
     let square = s
         .iter()
         .fold(Residue::ZERO, |sum, part| sum + *part * *part);

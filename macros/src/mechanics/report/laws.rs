@@ -129,7 +129,7 @@ pub fn list_laws_of_system(system: &System, work: &mut Workspace) -> Vec<Law> {
 }
 
 impl Left {
-    pub fn is_of_forces(&self) -> bool {
+    fn is_of_forces(&self) -> bool {
         matches!(self, Self::Force(_))
     }
 }

@@ -12,7 +12,7 @@ pub fn matrix(numbers: &[Number]) -> Matrix {
 }
 
 /// An entry of half the trace minus a tensor, which is `int r r dm`.
-pub fn second_moment(j: &Matrix, i: usize, k: usize) -> Number {
+fn second_moment(j: &Matrix, i: usize, k: usize) -> Number {
     if i != k {
         return -j[i][k].clone();
     }
@@ -71,8 +71,9 @@ pub fn is_possible(entries: &[f64]) -> bool {
     turns && Violation::find(&rows(slack)).is_none()
 }
 
-/// The slack of the runtime's own check, in ulp of the trace.
-pub const SLACK: f64 = 16.0;
+/// The slack of this check, in ulp of the trace. It covers that of the runtime, which is 4 ulp of the
+/// largest moment, or 16 ulp if there are products.
+const SLACK: f64 = 16.0;
 
 /// A condition that a matrix violates, and the entry that is wrong, if it is a single one.
 pub struct Violation {

@@ -40,7 +40,7 @@ pub fn why_not(word: &str, operands: &[Number]) -> String {
 }
 
 /// Whether a number cannot be distinguished from an integer.
-pub fn is_nearly_whole(number: &Number) -> bool {
+fn is_nearly_whole(number: &Number) -> bool {
     [-1, 0, 1]
         .into_iter()
         .any(|whole| (number.clone() - Number::integer(whole)).is_undecided())

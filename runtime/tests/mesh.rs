@@ -250,3 +250,26 @@ fn files_are_read_in_their_unit() {
     let found = MassProperties::from_stl(&mut Cursor::new(open), 1.0, 1.0);
     assert!(matches!(found, Err(InvalidMesh::Open { .. })), "{found:?}");
 }
+
+#[test]
+fn triangles_without_area_change_nothing() {
+    let mesh = cuboid([0.0; 3], [1.0, 2.0, 3.0]);
+    let whole = solid(&mesh, 1.0).unwrap();
+    let mut more = mesh.clone();
+    more.1.extend([[0, 0, 1], [2, 2, 2], [0, 1, 1]]);
+    let found = solid(&more, 1.0).unwrap();
+    assert_eq!((found.mass, found.center), (whole.mass, whole.center));
+    // the file has them as three positions, and both zeros
+    let text = stl(&more).replacen("vertex 0 0 0", "vertex 0 -0 0", 1);
+    let found = MassProperties::from_stl(&mut Cursor::new(text), 1.0, 1.0).unwrap();
+    assert_eq!((found.mass, found.center), (whole.mass, whole.center));
+}
+
+#[test]
+fn a_thin_wire_has_a_volume() {
+    let wire = solid(&cuboid([0.0; 3], [1e3, 1e-4, 1e-4]), 1.0).unwrap();
+    assert!((wire.mass / 1e-5 - 1.0).abs() < 1e-12, "{wire:?}");
+    // a sheet that is folded on itself far from the origin
+    let sheet = cuboid([1e6, 2e6, 3e6], [1e6 + 1.0, 2e6, 3e6 + 2.0]);
+    assert!(matches!(solid(&sheet, 1.0), Err(InvalidMesh::Empty)));
+}

@@ -61,15 +61,15 @@ debug_as_display!(InvalidMesh);
 
 impl core::error::Error for InvalidMesh {}
 
-/// A volume below this fraction of the cube of the size is rounding.
-const NOTHING: f64 = 1e-13;
+/// A volume below this fraction of the products that it is the sum of is rounding.
+const NOTHING: f64 = 1e-14;
 
 impl MassProperties {
     /// The mass properties from an STL file, text or binary, whose triangles are counterclockwise
     /// seen from outside. Scale is meters per unit of the file, such as 1e-3, and density is in
     /// kg/m^3. Results are in the axes of the file, the center from its origin.
     ///
-    /// Vertices at identical positions, to the bit, are merged.
+    /// Vertices at identical positions are merged, and triangles with two of them have no area.
     ///
     /// # Errors
     /// [`InvalidMesh`], if the surface is open, inside out, empty or not finite, or the file is not
@@ -83,7 +83,15 @@ impl MassProperties {
         let vertices = mesh.vertices.iter();
         let vertices = vertices.map(|vertex| Vector3::from(vertex.0.map(f64::from)) * scale);
         let vertices: alloc::vec::Vec<Vector3<f64>> = vertices.collect();
-        let triangles = mesh.faces.iter().map(|face| face.vertices);
+        let mut merged = BTreeMap::new();
+        let first = mesh.vertices.iter().enumerate().map(|(index, vertex)| {
+            // -0.0 + 0.0 is 0.0
+            let position = vertex.0.map(|part| (part + 0.0).to_bits());
+            *merged.entry(position).or_insert(index)
+        });
+        let first: alloc::vec::Vec<usize> = first.collect();
+        let faces = mesh.faces.iter();
+        let triangles = faces.map(|face| face.vertices.map(|vertex| first[vertex]));
         let triangles: alloc::vec::Vec<[usize; 3]> = triangles.collect();
         if !(scale > 0.0 && scale.is_finite()) {
             return Err(InvalidMesh::NotFinite);
@@ -131,14 +139,15 @@ impl MassProperties {
             let corners = triangles.iter();
             corners.map(move |corners| corners.map(|corner| vertices[corner] - from))
         };
-        let (mut volume, mut moment, mut size) = (0.0, Vector3::zeros(), 0.0_f64);
+        let (mut volume, mut moment, mut size) = (0.0, Vector3::zeros(), 0.0);
         for [a, b, c] in sides(first) {
-            let part = a.dot(&b.cross(&c)) / 6.0;
+            let area = b.cross(&c);
+            let part = a.dot(&area) / 6.0;
             volume += part;
             moment += (a + b + c) * (part / 4.0);
-            size = size.max(a.amax()).max(b.amax()).max(c.amax());
+            size += a.norm() * area.norm();
         }
-        if volume.is_nan() || volume.abs() <= NOTHING * size * size * size {
+        if volume.is_nan() || volume.abs() <= NOTHING * size {
             return Err(InvalidMesh::Empty);
         }
         if volume < 0.0 {
@@ -162,7 +171,8 @@ impl MassProperties {
     }
 }
 
-/// Checks that every edge occurs equally often in both directions.
+/// Checks that every edge occurs equally often in both directions. A triangle that has one vertex
+/// twice is no surface.
 fn check_closed(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Result<(), InvalidMesh> {
     let mut edges: BTreeMap<[usize; 2], isize> = BTreeMap::new();
     for corners in triangles {
@@ -171,6 +181,9 @@ fn check_closed(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Result<(
         }
         let [a, b, c] = *corners;
         for [from, to] in [[a, b], [b, c], [c, a]] {
+            if from == to {
+                continue;
+            }
             let (edge, way) = if from < to {
                 ([from, to], 1)
             } else {

@@ -66,7 +66,7 @@ impl Constants<'_> {
             return;
         }
         for body in self.bodies {
-            self.check_rounded(&body.inertia_entries(), work, errors);
+            self.check_rounded(body, work, errors);
         }
     }
 
@@ -117,16 +117,16 @@ impl Constants<'_> {
 
     /// Reports an inertia that is possible as written, but that the constructor would reject with
     /// the defaults of all parameters, because it computes in doubles.
-    fn check_rounded(&self, entries: &[Id], work: &Workspace, errors: &mut Errors) {
-        let outline = self.outline;
+    fn check_rounded(&self, body: &Substance, work: &Workspace, errors: &mut Errors) {
+        let (outline, entries) = (self.outline, body.inertia_entries());
         let graph = &work.graph;
         let is_open = entries
             .iter()
             .any(|id| graph.stage(*id) == Stage::Parameter);
-        if !is_open || !graph.are_early(entries) || !outline.has_default() {
+        if !is_open || !graph.are_early(&entries) || !outline.has_default() {
             return;
         }
-        if !is_possible(&self.rounded(work, entries)) {
+        if !is_possible(&self.rounded(work, &entries), body.swings) {
             errors.push(
                 outline.name.span(),
                 format!(

@@ -138,3 +138,79 @@ fn rods_keep_their_energy() {
     let found = rods.acceleration(0.0, &still, &());
     assert!((found.elbow / (-1.5 * 9.81 / 0.6 * f64::sin(1e-3)) - 1.0).abs() < 1e-9);
 }
+
+/// A rod of 1 kg and 1 m with a bob of 2 kg at its end, on a hinge at the other end.
+macro_rules! rod_with_bob {
+    ($system:ident $body:ident [$($params:tt)*] $inertia:expr, $pin:expr, [$($mass:tt)*]) => {
+        rigid_system!($system {
+            params: [$($params)*],
+            bodies: [
+                arm { $($mass)* inertia: $inertia, points: [pin = ($pin, 0, 0)] },
+            ],
+            joints: [hinge = revolute(world(0, 0, 0), arm.pin, body(0, 0, 1))],
+            fields: [weight = mass * world(0, -9.81[m / s ^ 2], 0)],
+        });
+        rigid_body!($body {
+            motion: fixed_axis(pin, world(0, 0, 1)),
+            params: [$($params)*],
+            $($mass)*
+            inertia: $inertia,
+            points: [pin = ($pin, 0, 0)],
+            fields: [weight = mass * world(0, -9.81[m / s ^ 2], 0)],
+        });
+    };
+}
+rod_with_bob!(Parts PartsAlone [] compose([
+    rod(1[m]).along(body(1, 0, 0)).mass(1[kg]).at((0.5, 0, 0)[m]),
+    point(2[kg]).at((1, 0, 0)[m]),
+]), 0, []);
+rod_with_bob!(PartsOfParams PartsOfParamsAlone [l = 1[m], bob = 2[kg]] compose([
+    rod(l).along(body(1, 0, 0)).mass(1[kg]).at((0.5 * l, 0, 0)),
+    point(bob).at((l, 0, 0)),
+]), 0, []);
+rod_with_bob!(Numbers NumbersAlone [] principal(0, 0.25, 0.25)[kg * m ^ 2], -5 / 6, [mass: 3[kg],]);
+rod_with_bob!(Entries EntriesAlone [least = 0[kg * m ^ 2], j = 0.25[kg * m ^ 2]]
+    principal(least, j, j), -5 / 6, [mass: 3[kg],]);
+
+#[test]
+fn rods_with_bobs_swing() {
+    let expected = -9.81 * (0.5 + 2.0) / (1.0 / 3.0 + 2.0);
+    macro_rules! check {
+        ($($system:ident $state:ident $body:ident),+) => {$(
+            let found = $system::default().acceleration(0.0, &$state::default(), &()).hinge;
+            assert!((found - expected).abs() < 1e-14, "{}: {found}", stringify!($system));
+            let found = $body::default().acceleration(0.0, &Hinge::default(), &());
+            assert!((found - expected).abs() < 1e-14, "{}: {found}", stringify!($body));
+        )+};
+    }
+    check!(
+        Parts PartsState PartsAlone,
+        PartsOfParams PartsOfParamsState PartsOfParamsAlone,
+        Numbers NumbersState NumbersAlone,
+        Entries EntriesState EntriesAlone
+    );
+    // one moment that is negative, or larger than the other two together, is still refused
+    for (least, j) in [(-1e-3, 0.25), (0.6, 0.25)] {
+        assert!(Entries::new(EntriesParams { least, j }).is_err());
+        assert!(EntriesAlone::new(EntriesAloneParams { least, j }).is_err());
+    }
+}
+
+rigid_body!(Bob {
+    doc: "A point mass by its parts, in the plane.",
+    motion: pivot(pin),
+    params: [l = 0.5[m]],
+    inertia: compose([point(2[kg]).at((l, 0))]),
+    points: [pin = (0, 0)],
+    fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+});
+
+#[test]
+fn a_bob_swings() {
+    for l in [0.5, 1e-3, 7.0] {
+        let found = Bob::new(BobParams { l })
+            .unwrap()
+            .acceleration(0.0, &Hinge::default(), &());
+        assert!((found * l / -9.81 - 1.0).abs() < 1e-14, "{l}: {found}");
+    }
+}

@@ -113,6 +113,7 @@ impl Model {
             name: None,
             mass: self.mass,
             inertia: self.inertia,
+            swings: self.state.swings,
         }
     }
 

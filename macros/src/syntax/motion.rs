@@ -1,6 +1,6 @@
 //! The value of `motion:`: a word; for a support or a rod, with arguments in parentheses.
 
-use proc_macro2::{Delimiter, Ident, TokenTree};
+use proc_macro2::{Ident, TokenTree};
 
 use crate::errors::{Errors, Extent, similar};
 
@@ -15,11 +15,6 @@ pub const ROD: &str = "rod";
 
 pub fn parse_motion(value: &[TokenTree], errors: &mut Errors) -> Option<Motion> {
     match value {
-        // a group without delimiters: tokens passed on by another macro
-        [TokenTree::Group(group)] if group.delimiter() == Delimiter::None => {
-            let inner: Vec<TokenTree> = group.stream().into_iter().collect();
-            parse_motion(&inner, errors)
-        }
         [TokenTree::Ident(word)] => Some(Motion {
             word: word.clone(),
             support: None,

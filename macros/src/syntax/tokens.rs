@@ -1,6 +1,8 @@
 //! Tokens between commas. Lists are split before anything in them is read, so that a bad entry
 //! hides no others. Nothing here recurses into nested user input.
 
+use std::borrow::Cow;
+
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::{Lit, LitStr};
 
@@ -264,4 +266,15 @@ pub fn with_commas(tokens: TokenStream, errors: &mut Errors) -> TokenStream {
         comma(token.span())
     });
     tokens.collect()
+}
+
+/// The tokens that another macro has passed on as one, such as `$inertia:expr`.
+pub fn ungrouped(value: &[TokenTree]) -> Cow<'_, [TokenTree]> {
+    let mut value = Cow::Borrowed(value);
+    while let [TokenTree::Group(group)] = &*value
+        && group.delimiter() == Delimiter::None
+    {
+        value = Cow::Owned(group.stream().into_iter().collect());
+    }
+    value
 }

@@ -3,7 +3,7 @@
 use nalgebra::Matrix3;
 
 use crate::bodies::body::{Impossible, InvalidBody};
-use crate::mechanics::inertia::check_turning;
+use crate::mechanics::inertia::{InvalidInertia, check_swinging, check_turning};
 use crate::numbers::scalar::Scalar;
 
 /// Checks that all parameters are finite.
@@ -54,6 +54,17 @@ pub fn check_planar_inertia<T: Scalar>(value: T) -> Result<(), Impossible> {
     }
 }
 
+/// The same for a body that swings about another point than its G, and may be a point mass.
+///
+/// # Errors
+/// [`Impossible::PlanarInertia`].
+pub fn check_swinging_planar_inertia<T: Scalar>(value: T) -> Result<(), Impossible> {
+    match find(value, |value| !(is_positive(value) || value == 0.0)) {
+        Some(value) => Err(Impossible::PlanarInertia(value)),
+        None => Ok(()),
+    }
+}
+
 /// Checks a property of a link or a cable, or an inertia with what loads add, given the name of what it
 /// belongs to and the word for it: finite and positive, or zero where that is permitted.
 ///
@@ -81,10 +92,25 @@ pub fn check_property<T: Scalar>(
 /// # Errors
 /// [`Impossible::Inertia`] with the violated condition.
 pub fn check_inertia<T: Scalar>(entries: [T; 6]) -> Result<(), Impossible> {
+    check_all(entries, check_turning)
+}
+
+/// The same for a body on a hinge beside its G, which may be a point mass or a rod.
+///
+/// # Errors
+/// [`Impossible::Inertia`].
+pub fn check_swinging_inertia<T: Scalar>(entries: [T; 6]) -> Result<(), Impossible> {
+    check_all(entries, check_swinging)
+}
+
+fn check_all<T: Scalar>(
+    entries: [T; 6],
+    check: fn(&Matrix3<f64>, f64) -> Result<(), InvalidInertia>,
+) -> Result<(), Impossible> {
     for lane in 0..T::LANES {
         let [xx, yy, zz, xy, yz, zx] = entries.map(|entry| entry.lane(lane));
         let matrix = Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, zz);
-        check_turning(&matrix, T::EPSILON).map_err(Impossible::Inertia)?;
+        check(&matrix, T::EPSILON).map_err(Impossible::Inertia)?;
     }
     Ok(())
 }

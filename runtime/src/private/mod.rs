@@ -76,7 +76,7 @@ pub use crate::bodies::projection::{Kept, Row, Size, check, dependent, off, proj
 pub use crate::mechanics::principal::PrincipalAxes;
 pub use checks::{
     check_derived, check_finite, check_inertia, check_mass, check_planar_inertia, check_property,
-    lost_load, member,
+    check_swinging_inertia, check_swinging_planar_inertia, lost_load, member,
 };
 pub use path::{
     axial_torque, gyrostat, lagrange_top, principal_axes, principal_rotation, rotation_about,

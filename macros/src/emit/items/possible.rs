@@ -10,7 +10,7 @@ use crate::symbolic::Id;
 /// Masses come first, because inertias may depend on them.
 pub struct Checked<'a> {
     masses: Vec<(Option<&'a str>, Id)>,
-    inertias: Vec<(Option<&'a str>, Vec<Id>)>,
+    inertias: Vec<(&'a Substance, Vec<Id>)>,
 }
 
 impl<'a> Checked<'a> {
@@ -19,9 +19,7 @@ impl<'a> Checked<'a> {
         let masses = bodies
             .iter()
             .filter_map(|body| Some((body.name.as_deref(), body.mass?)));
-        let inertias = bodies
-            .iter()
-            .map(|body| (body.name.as_deref(), body.inertia_entries()));
+        let inertias = bodies.iter().map(|body| (body, body.inertia_entries()));
         Self {
             masses: masses.filter(|(_, mass)| wanted(&[*mass])).collect(),
             inertias: inertias.filter(|(_, entries)| wanted(entries)).collect(),
@@ -50,14 +48,16 @@ impl<'a> Checked<'a> {
         let masses =
             masses.map(|((name, _), mass)| with_name(*name, quote!(#private::check_mass(#mass))));
         let masses: Vec<TokenStream> = masses.collect();
-        let inertias = self.inertias.iter().map(|(name, entries)| {
+        let inertias = self.inertias.iter().map(|(body, entries)| {
             let (own, others) = rest.split_at(entries.len());
             rest = others;
-            let check = match own {
-                [moment] => quote!(#private::check_planar_inertia(#moment)),
-                entries => quote!(#private::check_inertia([#(#entries),*])),
+            let check = match (own, body.swings) {
+                ([moment], false) => quote!(#private::check_planar_inertia(#moment)),
+                ([moment], true) => quote!(#private::check_swinging_planar_inertia(#moment)),
+                (entries, false) => quote!(#private::check_inertia([#(#entries),*])),
+                (entries, true) => quote!(#private::check_swinging_inertia([#(#entries),*])),
             };
-            with_name(*name, check)
+            with_name(body.name.as_deref(), check)
         });
         let inertias: Vec<TokenStream> = inertias.collect();
         quote!(#(#masses)* #(#inertias)*)

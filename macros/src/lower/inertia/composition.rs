@@ -4,7 +4,7 @@
 //! offsets are measured from the first part, then from G, and the inertia is summed about G
 //! (`docs/trust.md`, H3).
 
-use crate::errors::{Extent, every};
+use crate::errors::every;
 use crate::lower::expressions::{Lowering, base, is_of_solid};
 use crate::model::{Composed, Defaults, Dimension, Inertia, Mass, Origin, shown};
 use crate::symbolic::{Components, Id};
@@ -74,14 +74,10 @@ impl Lowering<'_> {
             let about_center = member.inertia.displaced(graph, member.mass, from_center);
             inertia = inertia.plus(graph, about_center);
         }
-        if self.motion.has_attitude() {
-            let has_holes = members.iter().any(|member| member.is_hole);
-            self.check_not_a_rod(inertia, Extent::of(&written.word))?;
-            self.check_composed(inertia, has_holes, &written.word, defaults)?;
-        }
         Some(Composed {
             mass: self.work.graph.positive_quantity(mass),
             inertia: inertia.positive(&mut self.work.graph),
+            has_holes: members.iter().any(|member| member.is_hole),
             origin: Origin { first, center },
         })
     }

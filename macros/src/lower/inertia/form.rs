@@ -21,14 +21,13 @@ impl Lowering<'_> {
         defaults: &Defaults,
     ) -> Option<Inertia> {
         let name = &description.name;
-        if description.composition.is_some() {
-            return self.composed.map(|composed| {
-                if self.motion.has_attitude() {
-                    composed.inertia
-                } else {
-                    Inertia::Absent
-                }
-            });
+        if let Some(parts) = &description.composition {
+            let composed = self.composed?;
+            if !self.motion.has_attitude() {
+                return Some(Inertia::Absent);
+            }
+            self.check_composed(composed, &parts.word, defaults)?;
+            return Some(composed.inertia);
         }
         let Some(written) = &description.inertia else {
             if !self.motion.has_attitude() {

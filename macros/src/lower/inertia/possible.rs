@@ -9,9 +9,10 @@ use proc_macro2::Ident;
 use crate::errors::Extent;
 use crate::lower::expressions::Lowering;
 use crate::model::{
-    AXES, Defaults, Inertia, Matrix, Orientation, Violation, least_moment, matrix, shown, thinnest,
+    AXES, Composed, Defaults, Inertia, Matrix, Orientation, Violation, least_moment, matrix, shown,
+    thinnest,
 };
-use crate::symbolic::{Components, Id, Number};
+use crate::symbolic::{Id, Number};
 
 use super::draft::Draft;
 
@@ -30,7 +31,7 @@ impl Lowering<'_> {
             Inertia::Absent => Some(()),
             Inertia::Scalar(_) if numbers[0].is_positive() => Some(()),
             // a point mass may swing about a pin at a distance
-            Inertia::Scalar(_) if numbers[0].is_zero() && self.is_held_off_center() => Some(()),
+            Inertia::Scalar(_) if numbers[0].is_zero() && self.state.swings => Some(()),
             Inertia::Scalar(_) if numbers[0].is_zero() => self.report(
                 draft.extent,
                 "a point mass turns only about another point than its G: hold it there by a hinge, or give it an inertia",
@@ -44,18 +45,22 @@ impl Lowering<'_> {
             ),
             Inertia::Spatial(_) => {
                 let matrix = matrix(&numbers);
-                let violation = if self.state.swings {
-                    Violation::unbalanced(&matrix)
-                } else {
-                    Violation::find(&matrix)
-                };
-                match violation {
+                match self.violation(&matrix) {
                     None => Some(()),
                     Some(violation) => {
                         self.report_violation(draft, &violation, &matrix, &numbers[9..])
                     }
                 }
             }
+        }
+    }
+
+    /// What makes an inertia impossible for a body that moves like this one.
+    fn violation(&self, matrix: &Matrix) -> Option<Violation> {
+        if self.state.swings {
+            Violation::unbalanced(matrix)
+        } else {
+            Violation::find(matrix)
         }
     }
 
@@ -92,13 +97,6 @@ impl Lowering<'_> {
         )
     }
 
-    /// Whether a point other than G is held.
-    fn is_held_off_center(&self) -> bool {
-        let support = self.state.support;
-        let is_off = |offset: &Components| !self.work.graph.is_zero_vector(offset);
-        self.state.swings || support.is_some_and(|support| is_off(&support.offset))
-    }
-
     /// Checks that each known moment is positive, whatever the other entries are.
     fn check_known_moments(&mut self, draft: &Draft) -> Option<()> {
         for entry in draft
@@ -107,10 +105,8 @@ impl Lowering<'_> {
             .filter(|entry| entry.row == entry.column)
         {
             let known = self.work.graph.as_number(entry.value);
-            let is_point = |moment: &Number| {
-                let is_held = self.motion.is_planar && self.is_held_off_center();
-                moment.is_zero() && (is_held || self.state.swings || self.motion.is_line())
-            };
+            let is_point =
+                |moment: &Number| moment.is_zero() && (self.state.swings || self.motion.is_line());
             let wrong = |moment: &&Number| !moment.is_positive() && !is_point(moment);
             if let Some(moment) = known.filter(wrong) {
                 let (axis, value) = (AXES[entry.row], shown(moment));
@@ -130,15 +126,19 @@ impl Lowering<'_> {
     /// wrong: all mass lies on one line.
     pub fn check_composed(
         &mut self,
-        inertia: Inertia,
-        has_holes: bool,
+        composed: Composed,
         word: &Ident,
         defaults: &Defaults,
     ) -> Option<()> {
+        let inertia = composed.inertia;
+        self.check_not_a_rod(inertia, Extent::of(word))?;
         let Some(numbers) = self.all_known(&inertia.entries(), defaults) else {
             return Some(());
         };
         let violated = match (inertia, numbers.as_slice()) {
+            (Inertia::Scalar(_), [moment]) if self.state.swings && moment.is_zero() => {
+                return Some(());
+            }
             (Inertia::Scalar(_), [moment]) if !moment.is_positive() => {
                 let axis = if self.motion.is_planar {
                     "the normal of the plane"
@@ -147,7 +147,7 @@ impl Lowering<'_> {
                 };
                 format!("about {axis} it is {}", shown(moment))
             }
-            (Inertia::Spatial(_), numbers) => match Violation::find(&matrix(numbers)) {
+            (Inertia::Spatial(_), numbers) => match self.violation(&matrix(numbers)) {
                 Some(violation) => violation.message,
                 None => return Some(()),
             },
@@ -156,7 +156,7 @@ impl Lowering<'_> {
         let under = self.under();
         self.report(
             word.span(),
-            if has_holes {
+            if composed.has_holes {
                 format!(
                     "no body has the inertia of these parts: {violated}; is a hole larger than \
                      what it is in?"

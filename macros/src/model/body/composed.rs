@@ -10,6 +10,7 @@ pub struct Composed {
     pub mass: Id,
     /// About G.
     pub inertia: Inertia,
+    pub has_holes: bool,
     pub origin: Origin,
 }
 

@@ -51,11 +51,13 @@ pub fn determinant(m: &impl Fn(usize, usize) -> Number) -> Number {
     m(0, 0) * minor(1, 2) - m(0, 1) * minor(0, 2) + m(0, 2) * minor(0, 1)
 }
 
-/// Whether rounded entries are still those of a body that can rotate about every axis. They are in
-/// the order xx, yy, zz, xy, yz, zx, or the single moment of a planar body.
-pub fn is_possible(entries: &[f64]) -> bool {
+/// Whether rounded entries are still those of a body that can rotate about every axis, or of one that
+/// swings, which may be a point mass or a rod. They are in the order xx, yy, zz, xy, yz, zx, or the
+/// single moment of a planar body.
+pub fn is_possible(entries: &[f64], swings: bool) -> bool {
     let [xx, yy, zz, xy, yz, zx] = *entries else {
-        return entries.iter().all(|moment| *moment > 0.0);
+        let mut moments = entries.iter();
+        return moments.all(|moment| *moment > 0.0 || swings && *moment == 0.0);
     };
     // increasing the diagonal relaxes the triangle inequality in every frame
     let slack = SLACK * f64::EPSILON * (xx + yy + zz);
@@ -67,6 +69,9 @@ pub fn is_possible(entries: &[f64]) -> bool {
         ];
         rows.map(|row| row.map(Number::from_f64))
     };
+    if swings {
+        return Violation::unbalanced(&rows(slack)).is_none();
+    }
     let turns = determinant(&|i, k| rows(0.0)[i][k].clone()).is_positive();
     turns && Violation::find(&rows(slack)).is_none()
 }

@@ -10,6 +10,8 @@ pub struct Substance {
     pub name: Option<String>,
     pub mass: Option<Id>,
     pub inertia: Inertia,
+    /// Whether its inertia may be that of a point mass or a rod.
+    pub swings: bool,
 }
 
 impl Substance {

@@ -33,7 +33,7 @@ pub struct State {
     pub axis: Option<Axis>,
     /// The support of the body, once it is read.
     pub support: Option<Support>,
-    /// Whether, in a system, a hinge carries it whose axis does not pass through G.
+    /// Whether a hinge carries it whose axis does not pass through G.
     pub swings: bool,
 }
 
@@ -107,6 +107,11 @@ impl State {
             self.angular_acceleration = acceleration;
         }
         let graph = &mut work.graph;
+        let arm = match support.direction {
+            Some(direction) => graph.cross(direction, support.offset),
+            None => support.offset,
+        };
+        self.swings = self.angle.is_some() && !graph.is_zero_vector(&arm);
         let (w, rate) = (self.angular_velocity, self.angular_acceleration);
         // c = G - P: v = w x c, a = w' x c + w x (w x c)
         let center = graph.negate_vector(support.offset);

@@ -80,6 +80,7 @@ impl Member {
             name: Some(self.name.to_string()),
             mass: Some(self.mass),
             inertia: self.inertia,
+            swings: self.state.swings,
         }
     }
 }

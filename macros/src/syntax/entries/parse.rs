@@ -15,7 +15,8 @@ use crate::syntax::expression::Expression;
 use crate::syntax::head::parse_head;
 use crate::syntax::motion::parse_motion;
 use crate::syntax::tokens::{
-    Entry, after_sign, is_punct, split, start, stream, string, token_beyond, without_attributes,
+    Entry, after_sign, is_punct, split, start, stream, string, token_beyond, ungrouped,
+    without_attributes,
 };
 use crate::syntax::words::is_keyword;
 use crate::syntax::{Description, Written};
@@ -77,7 +78,8 @@ pub fn parse_key(
         parse_further(into, key, group, errors);
         return None;
     }
-    let value = key_value(key, rest, errors);
+    let value = ungrouped(key_value(key, rest, errors));
+    let value = &*value;
     let exact = meant.is_some_and(|meant| meant == word);
     let repeated = into.keys.contains(key);
     if repeated && exact {

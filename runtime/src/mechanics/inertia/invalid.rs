@@ -166,7 +166,7 @@ pub(super) fn check_symmetry(matrix: &Matrix3<f64>) -> Result<(), InvalidInertia
 
 /// Checks all conditions on a symmetric matrix.
 pub(super) fn check(matrix: &Matrix3<f64>) -> Result<(), InvalidInertia> {
-    check_computed(matrix, f64::EPSILON).map(|_| ())
+    check_swinging(matrix, f64::EPSILON)
 }
 
 /// Checks all conditions on a symmetric matrix of a body that can rotate about every axis, with
@@ -177,6 +177,11 @@ pub(crate) fn check_turning(matrix: &Matrix3<f64>, epsilon: f64) -> Result<(), I
         return Err(InvalidInertia::Singular);
     }
     Ok(())
+}
+
+/// The same for a body on a hinge beside its G: a moment may be zero.
+pub(crate) fn check_swinging(matrix: &Matrix3<f64>, epsilon: f64) -> Result<(), InvalidInertia> {
+    check_computed(matrix, epsilon).map(|_| ())
 }
 
 /// The principal moments divided by a power of two, ascending, if all conditions hold.
@@ -195,7 +200,8 @@ fn check_computed(matrix: &Matrix3<f64>, epsilon: f64) -> Result<Vector3<f64>, I
     let restored = |value| libm::scalbn(value, exponent);
     for (a, axis) in AXES.into_iter().enumerate() {
         let moment = j[(a, a)];
-        if moment < 0.0 {
+        // of a rod along an axis of the body, only rounding may be left
+        if moment < -slack {
             let moment = restored(moment);
             return Err(InvalidInertia::Negative { axis, moment });
         }

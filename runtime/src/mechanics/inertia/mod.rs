@@ -26,7 +26,7 @@ mod shape;
 use matrix::{exponent, of_second_moments, scaled, symmetrized};
 
 pub use invalid::InvalidInertia;
-pub(crate) use invalid::check_turning;
+pub(crate) use invalid::{check_swinging, check_turning};
 #[cfg(feature = "stl")]
 pub use mesh::InvalidMesh;
 pub use points::MassProperties;

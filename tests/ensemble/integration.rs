@@ -2,7 +2,9 @@
 
 use nalgebra::Vector3;
 use newton_euler::ensemble::{Ensemble, EnsembleError, OneByOne};
-use newton_euler::integrate::{DormandPrince, DormandPrince8, Fixed, IntegrationError};
+use newton_euler::integrate::{
+    DormandPrince, DormandPrince8, Fixed, IntegrationError, Tolerant, Verner,
+};
 use newton_euler::prelude::*;
 
 use crate::bodies;
@@ -121,6 +123,32 @@ fn samples_are_ends() {
             assert!(sample.state == *moved.states(), "{time}");
         }
         assert!(sampled.states() == moved.states());
+    }
+}
+
+/// Under a controller, each member moves as if it were integrated alone from period to period.
+#[test]
+fn periods_are_integrations() {
+    let body = bodies::Turning::default();
+    let starts = (0..9).map(|index| Rotation {
+        angular_velocity: Vector3::new(0.1, 0.2 * f64::from(index), 1.0),
+        ..Rotation::default()
+    });
+    let push = |state: &Rotation| bodies::TurningInput {
+        torque: -0.3 * state.angular_velocity,
+    };
+    let mut ensemble = Ensemble::new(&body, starts.clone());
+    let motion = ensemble.integrate().tolerance(1e-9);
+    let motion = motion.control(0.25, |_, _, state: &Rotation| push(state));
+    motion.to(1.0).unwrap();
+    for (index, mut alone) in starts.enumerate() {
+        for period in 0..4 {
+            let start = 0.25 * f64::from(period);
+            let motion = body.integrate(&alone).starting_at(start);
+            let motion = motion.method(Verner::with_tolerance(1e-9));
+            alone = motion.input(push(&alone)).to(start + 0.25).unwrap();
+        }
+        assert!(ensemble.state(index) == alone, "{index}");
     }
 }
 

@@ -159,7 +159,8 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
 
     /// Takes inputs from a function of time, member and state, called at the start and after every
     /// period \[s\], each held until the next (zero-order hold), like a digital controller per
-    /// member. The members keep their last inputs.
+    /// member. The members keep their last inputs. Each period is an integration of its own: with
+    /// error control, its first step is chosen anew.
     pub fn control<F>(self, period: f64, function: F) -> EnsembleIntegration<'e, B, M, Sampled<F>>
     where
         F: FnMut(f64, usize, &B::State) -> B::Input,

@@ -3,7 +3,8 @@
 //! Their states, inputs and parameters are stored in columns. They are evaluated and moved several
 //! at a time, in the widest registers of the processor. These are detected at run time, so the
 //! build needs no flags. A member moves as it would alone, to the bit, whatever its neighbors, the
-//! width of registers and the number of threads.
+//! width of registers and the number of threads. A period of a controller, or between samples, is an
+//! integration of its own: methods with error control choose the first step anew.
 //!
 //! The feature `rayon` uses all processor cores; `progress` shows a bar for long runs, in terminals.
 

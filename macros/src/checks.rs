@@ -17,13 +17,28 @@ pub struct Evidence<'a> {
     pub defaults: &'a Defaults,
     /// The symbols that follow from the motion, each with the expression that replaces it.
     pub answers: &'a [(Id, Id)],
+    /// The constraints, which a given state has to satisfy.
+    pub constraints: &'a [Required],
 }
+
+/// A constraint: its value and its rate, each with the size of its terms.
+pub struct Required {
+    pub name: String,
+    pub position: Option<(Id, Id)>,
+    pub velocity: (Id, Id),
+}
+
+/// The permitted violation of a constraint by a given state, as a fraction of its terms: states may
+/// be given with a few digits.
+const OPEN: f64 = 1e-3;
 
 impl Evidence<'_> {
     /// Reports all claims that are false or cannot be decided.
     pub fn check(&self, checks: &Checks, errors: &mut Errors) {
         for check in &checks.list {
-            if let Some(known) = self.given(check, errors) {
+            if let Some(known) = self.given(check, errors)
+                && self.check_closed(check, &known, errors).is_some()
+            {
                 self.decide(check, &known, errors);
             }
         }
@@ -70,6 +85,34 @@ impl Evidence<'_> {
                 return errors.report(place, message);
             }
         }
+    }
+
+    /// Reports a given state that violates a constraint.
+    fn check_closed(&self, check: &Check, known: &Known, errors: &mut Errors) -> Option<()> {
+        for constraint in self.constraints {
+            let velocity = (constraint.velocity, "in velocity");
+            let position = constraint
+                .position
+                .map(|position| (position, "in position"));
+            for ((value, size), level) in position.into_iter().chain([velocity]) {
+                let numbers = [value, size].map(|id| self.evaluate(id, known));
+                let [Exact::Number(value), Exact::Number(size)] = numbers else {
+                    continue;
+                };
+                let off = value.to_f64().abs();
+                if off > OPEN * size.to_f64() {
+                    let (name, constraint) = (&check.name, &constraint.name);
+                    return errors.report(
+                        check.claims.first()?.place,
+                        format!(
+                            "`{name}` has a state that violates `{constraint}` by {off:.1e} {level}: \
+                             give one that satisfies all constraints"
+                        ),
+                    );
+                }
+            }
+        }
+        Some(())
     }
 
     /// Decides all claims of one check.

@@ -2,7 +2,7 @@
 
 use proc_macro2::TokenStream;
 
-use crate::checks::Evidence;
+use crate::checks::{Evidence, Required};
 use crate::emit::items::Roots;
 use crate::emit::{Sound, emit_body, emit_tracked};
 use crate::errors::Errors;
@@ -97,11 +97,21 @@ fn solve<S: Listed>(
     }
     outputs.describe(outline, (&model, &work), &mut report);
     let answers = model.answers(&mut work, &equations);
+    let is_checked = outline.is_constrained && !model.checks().list.is_empty();
+    let constraints = is_checked.then(|| model.constraints(&mut work, &equations));
+    let constraints = constraints.into_iter().flatten();
+    let constraints = constraints.map(|(constraint, _)| Required {
+        name: constraint.name,
+        position: constraint.position,
+        velocity: constraint.velocity,
+    });
+    let constraints: Vec<Required> = constraints.collect();
     let evidence = Evidence {
         outline,
         work: &work,
         defaults: model.defaults(),
         answers: &answers,
+        constraints: &constraints,
     };
     evidence.check(model.checks(), errors);
     let roots = Roots {

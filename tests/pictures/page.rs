@@ -171,3 +171,20 @@ fn bodies_of_systems_are_placed_by_functions() {
         assert!(off.min(TAU - off) < 1e-3);
     }
 }
+
+/// CSS does not play an animation of `0s`.
+#[test]
+fn short_motions_play() {
+    let at = |time: f64| Sample {
+        time,
+        state: Planar {
+            angle: 1e4 * time,
+            ..Planar::default()
+        },
+    };
+    let samples = [at(0.0), at(1e-4), at(2e-4)];
+    let page = Page::of(&samples).solid(Solid::cuboid([1.0, 0.1, 0.1]));
+    let page = page.curves(&["angle"]).unwrap().to_string();
+    assert!(page.contains("animation:b0 0.0002s linear"));
+    assert!(page.contains("animation:k0 0.0002s linear"));
+}

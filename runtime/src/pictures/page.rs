@@ -195,7 +195,7 @@ impl<S> fmt::Display for Page<'_, S> {
                     "@keyframes k{number}{{to{{transform:translateX({}px)}}}}",
                     short(right - left, 1)
                 );
-                let (bottom, duration) = (drawn.height, short(stage.duration, 3));
+                let (bottom, duration) = (drawn.height, stage.period());
                 let _ = write!(
                     cursor,
                     "<path class=\"cursor\" d=\"M{left} 8V{}\" \

@@ -66,7 +66,7 @@ impl Stage<'_> {
                 );
                 continue;
             }
-            let duration = short(self.duration, 3);
+            let duration = self.period();
             let _ = write!(rules, "@keyframes b{number}{{{frames}}}");
             let _ = write!(
                 bodies,
@@ -112,6 +112,11 @@ impl Stage<'_> {
             scale,
             origin: [0.5 * WIDTH - middle[0], 0.5 * HEIGHT + middle[1]],
         }
+    }
+
+    /// The duration in seconds, as text.
+    pub(super) fn period(&self) -> String {
+        short(self.duration, if self.duration < 1.0 { 9 } else { 3 })
     }
 
     /// The style at the first finite sample, and the frames, if anything is finite.

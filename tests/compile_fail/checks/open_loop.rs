@@ -39,6 +39,7 @@ rigid_body!(Bead {
     motion: translation,
     mass: 1[kg],
     constraints: [wire = position.in_world().z - position.in_world().x],
+    reactions: [push = _ * wire.gradient()],
     checks: [beside = (acceleration.in_world().y == 0).given(position = world(1, 0, 0.9), velocity = world(0, 0, 0))],
 });
 

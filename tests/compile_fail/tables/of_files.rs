@@ -14,6 +14,7 @@ rigid_body!(Wing {
         single = table(x, "../compile_fail/tables/single.csv"),
         which = table(x, "../compile_fail/tables/polar.csv"),
         column = table(x, "../compile_fail/tables/polar.csv", "drga"),
+        twice = table(x, "../compile_fail/tables/twice.csv", "lift"),
         bare = table(x, "../compile_fail/tables/bare.csv", "drag"),
         narrow = table(x, y, "../compile_fail/tables/narrow.csv"),
         corner = table(x, y, "../compile_fail/tables/corner.csv"),

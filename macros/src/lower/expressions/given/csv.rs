@@ -70,14 +70,18 @@ impl<'t> File<'t> {
         let header = has_header.then(|| self.rows.remove(0).cells);
         let column = match (asked, header) {
             (Some((word, place)), Some(header)) => {
-                let found = header.iter().skip(1).position(|name| *name == word);
-                let Some(found) = found else {
+                let mut named = (1..header.len()).filter(|column| header[*column] == word);
+                let Some(found) = named.next() else {
                     let words = header[1..].join("`, `");
                     let hint = hint(word, header.iter().skip(1).copied());
                     let message = format!("`{}` has the columns `{words}`{hint}", self.name);
                     return errors.report(place, message);
                 };
-                found + 1
+                if named.next().is_some() {
+                    let message = format!("`{}` has several columns `{word}`", self.name);
+                    return errors.report(place, message);
+                }
+                found
             }
             (Some((_, place)), None) => {
                 let message = format!("`{}` has no header that names its columns", self.name);

@@ -76,11 +76,9 @@ fn corrections(graph: &mut Graph, closed: &Closed) -> (Vec<Vec<Id>>, Vec<Vec<Id>
     }
     let mut couplings = Vec::new();
     for row in closed.rows() {
-        let others = directions.iter().map(|other: &Vec<Id>| {
-            let parts = row.slopes.iter().zip(other);
-            let parts: Vec<Id> = parts.map(|(a, b)| graph.multiply(*a, *b)).collect();
-            graph.sum(&parts)
-        });
+        let others = directions
+            .iter()
+            .map(|other: &Vec<Id>| graph.inner(&row.slopes, other));
         couplings.push(others.collect());
     }
     (directions, couplings)

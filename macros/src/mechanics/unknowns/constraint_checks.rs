@@ -7,20 +7,11 @@ use std::collections::BTreeSet;
 use crate::errors::{Errors, Extent};
 use crate::mechanics::proofs::{all_vanish, samples};
 use crate::model::{Model, Workspace};
-use crate::symbolic::{Elimination, Id, Residue};
+use crate::symbolic::{Elimination, Id, Residue, Span};
 
 use super::constrained::Constrained;
 use super::pushes::{Push, free_load};
 use super::unit::Unit;
-
-/// The gradient of a constraint on one branch, with its parts along earlier gradients removed.
-struct Reduced {
-    index: usize,
-    lead: usize,
-    gradient: Vec<Residue>,
-    /// The constraints in this combination.
-    of: Vec<usize>,
-}
 
 /// Reports constraints that are proved to follow from others, because their reactions would not be
 /// determined.
@@ -75,42 +66,10 @@ pub fn dependent(name: impl Display, others: impl IntoIterator<Item = impl Displ
 /// For each gradient on one branch, the others that it follows from. `None` if it is independent or
 /// has no value.
 fn redundant(gradients: &[Option<Vec<Residue>>]) -> Vec<Option<Vec<usize>>> {
-    let mut basis: Vec<Reduced> = Vec::new();
-    let redundant = gradients.iter().enumerate().map(|(index, gradient)| {
-        let (gradient, mut of) = reduce(gradient.clone()?, &basis);
-        let Some(lead) = gradient.iter().position(|entry| !entry.is_zero()) else {
-            return Some(of);
-        };
-        of.push(index);
-        basis.push(Reduced {
-            index,
-            lead,
-            gradient,
-            of,
-        });
-        None
-    });
+    let mut span = Span::default();
+    let gradients = gradients.iter().enumerate();
+    let redundant = gradients.map(|(index, gradient)| span.admit(index, gradient.as_ref()?));
     redundant.collect()
-}
-
-/// A gradient without its parts along `basis`, and the constraints that these parts belong to.
-fn reduce(mut gradient: Vec<Residue>, basis: &[Reduced]) -> (Vec<Residue>, Vec<usize>) {
-    let mut of = Vec::new();
-    for known in basis {
-        let lead = known.gradient[known.lead];
-        if gradient[known.lead].is_zero() {
-            continue;
-        }
-        let factor = -(gradient[known.lead] * lead.reciprocal().unwrap_or(Residue::ZERO));
-        for (entry, part) in gradient.iter_mut().zip(&known.gradient) {
-            *entry = *entry + factor * *part;
-        }
-        of.extend(known.of.iter().copied());
-        of.push(known.index);
-    }
-    of.sort_unstable();
-    of.dedup();
-    (gradient, of)
 }
 
 /// Reports unknowns that keep no constraint while a constraint is left, each pair as one mistake, and

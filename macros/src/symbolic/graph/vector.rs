@@ -1,5 +1,7 @@
 //! Vectors and symmetric matrices of expressions, component by component.
 
+use core::borrow::Borrow;
+
 use crate::symbolic::number::Function;
 
 use super::nodes::{Components, Graph, Id, Node};
@@ -46,6 +48,19 @@ impl Graph {
 
     pub fn dot(&mut self, a: Components, b: Components) -> Id {
         let products = [0, 1, 2].map(|i| self.multiply(a[i], b[i]));
+        self.sum(&products)
+    }
+
+    /// The sum of the products of corresponding entries.
+    pub fn inner(
+        &mut self,
+        a: impl IntoIterator<Item: Borrow<Id>>,
+        b: impl IntoIterator<Item: Borrow<Id>>,
+    ) -> Id {
+        let pairs = a.into_iter().zip(b);
+        let products: Vec<Id> = pairs
+            .map(|(a, b)| self.multiply(*a.borrow(), *b.borrow()))
+            .collect();
         self.sum(&products)
     }
 

@@ -21,7 +21,7 @@ use super::super::constraints::ConstraintRow;
 use super::eliminated::{Following, Found, equations};
 use super::guard::{Closeness, guard};
 use super::rows::Keeper;
-use super::semidefinite::{Solver, product};
+use super::semidefinite::Solver;
 
 /// Rows of one joint that have the same dimension, and which of them are independent.
 pub struct Group {
@@ -184,12 +184,12 @@ fn left(
     for (own, row) in left.rows.iter().enumerate() {
         let row = &kept[*row].1;
         for other in own..left.rows.len() {
-            let entry = product(graph, &row.slopes, &left.units[other][..count]);
+            let entry = graph.inner(&row.slopes, &left.units[other][..count]);
             let entry = graph.quantity(entry);
             left.matrix[own][other] = entry;
             left.matrix[other][own] = entry;
         }
-        let moved = product(graph, &row.slopes, &left.base[..count]);
+        let moved = graph.inner(&row.slopes, &left.base[..count]);
         let right = graph.add(row.bias, moved);
         let right = graph.negate(right);
         left.right.push(graph.quantity(right));
@@ -248,7 +248,7 @@ fn combined(graph: &mut Graph, base: &[Id], units: &[Vec<Id>], factors: &[Id]) -
     let all = base.iter().enumerate().map(|(place, base)| {
         let parts = units.iter().map(|unit| unit[place]);
         let parts: Vec<Id> = parts.collect();
-        let change = product(graph, factors, &parts);
+        let change = graph.inner(factors, &parts);
         graph.add(*base, change)
     });
     all.collect()
@@ -267,7 +267,7 @@ fn guard_of(
         let (mut lacking, mut sizes, mut rows) = (Vec::new(), Vec::new(), Vec::new());
         for own in step.own.clone() {
             let row = &kept[left.rows[own]].1;
-            let done = product(graph, &left.matrix[own], loads);
+            let done = graph.inner(&left.matrix[own], loads);
             let lacks = graph.subtract(left.right[own], done);
             lacking.push(graph.square(lacks));
             let parts = row.slopes.iter().zip(&left.base[..count]);

@@ -9,7 +9,7 @@ use std::iter;
 
 use crate::mechanics::proofs::samples;
 use crate::model::{AXES, System, TreeJoint, Workspace};
-use crate::symbolic::{Components, Graph, Id, Residue};
+use crate::symbolic::{Components, Graph, Id, Residue, Span};
 
 use super::undetermined::{Spare, Undetermined};
 
@@ -86,7 +86,7 @@ fn one_by_one(ways: &[Way<Residue>], single: &[Way<Residue>]) -> Vec<String> {
         if is_whole && holders.contains(&way.holder) {
             continue;
         }
-        if let Some(larger) = span.with(way) {
+        if let Some(larger) = with(&span, way) {
             span = larger;
             holders.push(way.holder);
             said.push(way.said.clone());
@@ -257,7 +257,7 @@ fn search(
     span: &mut Span,
     (chosen, wanted): (&mut Vec<usize>, usize),
 ) -> bool {
-    if span.0.len() == wanted {
+    if span.rank() == wanted {
         return true;
     }
     if most == 0 {
@@ -267,7 +267,7 @@ fn search(
         if chosen.iter().any(|other| ways[*other].holder == way.holder) {
             continue;
         }
-        let Some(mut larger) = span.with(way) else {
+        let Some(mut larger) = with(span, way) else {
             continue;
         };
         chosen.push(number);
@@ -280,30 +280,10 @@ fn search(
     false
 }
 
-/// Independent rows; from each, the leading parts of those before it are eliminated.
-#[derive(Clone, Default)]
-struct Span(Vec<(usize, Vec<Residue>)>);
-
-impl Span {
-    /// The span with the rows that a way releases; `None` if these are not all independent.
-    fn with(&self, way: &Way<Residue>) -> Option<Self> {
-        let mut larger = self.clone();
-        let count = way.rows.iter().filter(|row| larger.take(row)).count();
-        (count == way.count).then_some(larger)
-    }
-
-    /// Whether a row is independent. If so, it is added.
-    fn take(&mut self, row: &[Residue]) -> bool {
-        let mut row = row.to_vec();
-        for (lead, known) in &self.0 {
-            let inverse = known[*lead].reciprocal().unwrap_or(Residue::ZERO);
-            let factor = -(row[*lead] * inverse);
-            for (entry, part) in row.iter_mut().zip(known) {
-                *entry = *entry + factor * *part;
-            }
-        }
-        let lead = row.iter().position(|entry| !entry.is_zero());
-        self.0.extend(lead.map(|lead| (lead, row)));
-        lead.is_some()
-    }
+/// The span with the rows that a way releases; `None` if these are not all independent.
+fn with(span: &Span, way: &Way<Residue>) -> Option<Span> {
+    let mut larger = span.clone();
+    let rows = way.rows.iter();
+    let count = rows.filter(|row| larger.admit(0, row).is_none()).count();
+    (count == way.count).then_some(larger)
 }

@@ -43,7 +43,7 @@ impl Solver {
             for (row, factors) in (first..matrix.len()).zip(&later) {
                 let taken = of_matrix(graph, &inverse, factors);
                 for column in first..matrix.len() {
-                    let less = product(graph, &taken, &later[column - first]);
+                    let less = graph.inner(&taken, &later[column - first]);
                     let entry = graph.subtract(matrix[row][column], less);
                     matrix[row][column] = graph.quantity(entry);
                 }
@@ -63,7 +63,7 @@ impl Solver {
         for step in &self.steps {
             let known = of_matrix(graph, &step.inverse, &right[step.own.clone()]);
             for (row, factors) in step.later.iter().enumerate() {
-                let less = product(graph, factors, &known);
+                let less = graph.inner(factors, &known);
                 let place = step.own.end + row;
                 let left = graph.subtract(right[place], less);
                 right[place] = graph.quantity(left);
@@ -77,7 +77,7 @@ impl Solver {
                 .enumerate()
                 .map(|(place, row)| {
                     let slopes: Vec<Id> = step.later.iter().map(|later| later[place]).collect();
-                    let less = product(graph, &slopes, &values[step.own.end..]);
+                    let less = graph.inner(&slopes, &values[step.own.end..]);
                     graph.subtract(right[row], less)
                 })
                 .collect();
@@ -107,7 +107,7 @@ fn inverse(graph: &mut Graph, block: &[Vec<Id>], rank: usize, size: Id) -> Vec<V
             .map(|own| {
                 let column = |other: usize| along.iter().map(|row| row[other]).collect::<Vec<Id>>();
                 (0..count)
-                    .map(|other| product(graph, &block[own], &column(other)))
+                    .map(|other| graph.inner(&block[own], &column(other)))
                     .collect()
             })
             .collect();
@@ -139,13 +139,6 @@ fn inverse(graph: &mut Graph, block: &[Vec<Id>], rank: usize, size: Id) -> Vec<V
 }
 
 fn of_matrix(graph: &mut Graph, matrix: &[Vec<Id>], vector: &[Id]) -> Vec<Id> {
-    let all = matrix.iter().map(|row| product(graph, row, vector));
+    let all = matrix.iter().map(|row| graph.inner(row, vector));
     all.collect()
-}
-
-/// The sum of the products of corresponding entries.
-pub fn product(graph: &mut Graph, first: &[Id], second: &[Id]) -> Id {
-    let parts = first.iter().zip(second);
-    let parts: Vec<Id> = parts.map(|(a, b)| graph.multiply(*a, *b)).collect();
-    graph.sum(&parts)
 }

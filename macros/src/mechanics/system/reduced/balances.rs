@@ -189,23 +189,23 @@ impl<'w> Balances<'w> {
         let momentum: Vec<Id> = own
             .iter()
             .map(|one| {
-                let sum = products(graph, at(&self.all[*one].masses, own), &along);
+                let sum = graph.inner(at(&self.all[*one].masses, own), &along);
                 graph.quantity(sum)
             })
             .collect();
-        let inertia = products(graph, momentum.iter().copied(), &along);
+        let inertia = graph.inner(momentum.iter().copied(), &along);
         let inertia = graph.quantity(inertia);
         if samples(self.work, &[inertia])[0].may_vanish() {
             return None;
         }
         let graph = &mut self.work.graph;
-        let size = products(graph, at(&self.sizes, own), &bounds);
+        let size = graph.inner(at(&self.sizes, own), &bounds);
         let inverse = graph.pivot(inertia, size);
         let numerators = numerators(graph, &known.slopes, &known.right, &momentum);
         let fixed = divided(graph, &numerators, inverse);
         self.sizes.push(size);
         for row in &mut self.rows {
-            let bound = products(graph, at(&row.sizes, own), &bounds);
+            let bound = graph.inner(at(&row.sizes, own), &bounds);
             row.sizes.push(bound);
         }
         let coordinate = self.stand_for(own, &along, inertia);
@@ -263,17 +263,17 @@ impl<'w> Balances<'w> {
         let graph = &mut self.work.graph;
         let mut masses: Vec<Id> = Vec::new();
         for balance in &mut self.all {
-            let sum = products(graph, at(&balance.masses, coordinates), along);
+            let sum = graph.inner(at(&balance.masses, coordinates), along);
             let coupling = graph.quantity(sum);
             balance.masses.push(coupling);
             masses.push(coupling);
         }
         masses.push(inertia);
         let driving = coordinates.iter().map(|own| self.all[*own].driving);
-        let driving = products(graph, driving, along);
+        let driving = graph.inner(driving, along);
         let name = format!("loop_{}", self.blocks.len() + 1);
         for row in &mut self.rows {
-            let sum = products(graph, at(&row.slopes, coordinates), along);
+            let sum = graph.inner(at(&row.slopes, coordinates), along);
             let slope = graph.quantity(sum);
             self.work
                 .labels
@@ -307,7 +307,7 @@ impl<'w> Balances<'w> {
             if slopes.iter().all(|slope| graph.is_zero(*slope)) {
                 continue;
             }
-            let known = products(graph, slopes.iter().copied(), &block.fixed);
+            let known = graph.inner(slopes.iter().copied(), &block.fixed);
             let right = graph.subtract(row.right, known);
             row.right = graph.quantity(right);
             labels.name(row.right, format!("{}_to_balance", row.name));
@@ -320,7 +320,7 @@ impl<'w> Balances<'w> {
         let way = block.way.as_ref().map(|way| way.coordinate);
         for (coordinate, balance) in self.all.iter_mut().enumerate() {
             if self.open[coordinate] && way != Some(coordinate) {
-                let taken = products(graph, at(&balance.masses, &block.coordinates), &block.fixed);
+                let taken = graph.inner(at(&balance.masses, &block.coordinates), &block.fixed);
                 balance.driving = graph.subtract(balance.driving, taken);
             }
         }
@@ -339,11 +339,4 @@ fn divided(graph: &mut Graph, numerators: &[Id], inverse: Id) -> Vec<Id> {
 /// The entries of a list for these coordinates.
 pub fn at(list: &[Id], coordinates: &[usize]) -> impl Iterator<Item = Id> {
     coordinates.iter().map(|own| list[*own])
-}
-
-/// The sum of the products of corresponding entries.
-pub fn products(graph: &mut Graph, first: impl Iterator<Item = Id>, second: &[Id]) -> Id {
-    let pairs = first.zip(second);
-    let parts: Vec<Id> = pairs.map(|(a, b)| graph.multiply(a, *b)).collect();
-    graph.sum(&parts)
 }

@@ -3,7 +3,7 @@
 
 use crate::symbolic::{Graph, Id};
 
-use super::balances::{at, products};
+use super::balances::at;
 use super::block::Block;
 use super::motion::Reduced;
 
@@ -15,7 +15,7 @@ pub fn loads(graph: &mut Graph, reduced: &Reduced, lacking: &[Id], rows: usize) 
     lacking.resize(reduced.values.len(), zero);
     for block in &reduced.blocks {
         if let Some(way) = &block.way {
-            let sum = products(graph, at(&lacking, &block.coordinates), &way.along);
+            let sum = graph.inner(at(&lacking, &block.coordinates), &way.along);
             lacking[way.coordinate] = graph.quantity(sum);
         }
     }

@@ -77,35 +77,19 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
         loaded.replace(&mut work.graph, &settled);
     }
     let joints = built.links.iter().enumerate().map(|(joint, links)| {
-        let best = found.accelerations[links.clone()].concat();
+        let of_tree = found.accelerations[links.clone()].concat();
         let alone = closed.is_none().then(|| tree::alone(system, work, joint));
-        let cost = |work: &Workspace, all: &[Id]| work.graph.late_cost(all).total();
-        let alone = alone.flatten();
-        let alone = alone.filter(|alone| cost(work, alone) <= cost(work, &best));
-        let is_alone = alone.is_some();
-        let best = alone.unwrap_or(best).into_iter();
-        (best.map(|one| work.graph.result(one)).collect(), is_alone)
+        shorter(work, of_tree, alone.flatten())
     });
     let (accelerations, alone): (Vec<Vec<Id>>, Vec<bool>) = joints.unzip();
-    for (joint, found) in system.joints.iter().zip(&accelerations) {
-        let names = joint.kind.shape.into_iter().flat_map(|shape| shape.second);
-        let names = names.flat_map(|field| field.names);
-        for (id, name) in found.iter().zip(names) {
-            work.labels.name(*id, format!("{}_{name}", joint.name));
-        }
-    }
-    let mut roots = accelerations.concat();
-    roots.extend(system.states.iter().map(|state| state.rate));
-    let rows = closed.iter().flat_map(Closed::rows);
-    roots.extend(rows.flat_map(|row| row.value.into_iter().chain([row.rate])));
-    let time = system.bodies.first().map(|body| body.state.time);
-    let switches = time.map(|time| derive_switches(time, &system.derivatives, work, &roots));
+    label(system, work, &accelerations);
+    let switches = switches(system, work, &accelerations, closed.as_ref());
     let mut loads = loads(system, work);
     for (_, parts) in &mut loads {
         *parts = replace(&mut work.graph, parts, &settled);
     }
     SystemEquations {
-        switches: switches.unwrap_or_default(),
+        switches,
         partial: list_partial(loads, work),
         accelerations,
         left_out: found.left_out,
@@ -117,6 +101,44 @@ pub fn derive_system(system: &System, work: &mut Workspace) -> SystemEquations {
         loaded,
         closed,
     }
+}
+
+/// The accelerations of a joint, by the balances of its body alone where these take no more
+/// operations, and whether they do.
+fn shorter(work: &mut Workspace, of_tree: Vec<Id>, alone: Option<Vec<Id>>) -> (Vec<Id>, bool) {
+    let cost = |all: &[Id]| work.graph.late_cost(all).total();
+    let alone = alone.filter(|alone| cost(alone) <= cost(&of_tree));
+    let is_alone = alone.is_some();
+    let shorter = alone.unwrap_or(of_tree).into_iter();
+    let results = shorter.map(|one| work.graph.result(one));
+    (results.collect(), is_alone)
+}
+
+fn label(system: &System, work: &mut Workspace, accelerations: &[Vec<Id>]) {
+    for (joint, found) in system.joints.iter().zip(accelerations) {
+        let names = joint.kind.shape.into_iter().flat_map(|shape| shape.second);
+        let names = names.flat_map(|field| field.names);
+        for (id, name) in found.iter().zip(names) {
+            work.labels.name(*id, format!("{}_{name}", joint.name));
+        }
+    }
+}
+
+/// The times at which the accelerations, the rates of user-defined states or the constraints change.
+fn switches(
+    system: &System,
+    work: &mut Workspace,
+    accelerations: &[Vec<Id>],
+    closed: Option<&Closed>,
+) -> Vec<Switch> {
+    let Some(body) = system.bodies.first() else {
+        return Vec::new();
+    };
+    let mut roots = accelerations.concat();
+    roots.extend(system.states.iter().map(|state| state.rate));
+    let rows = closed.into_iter().flat_map(Closed::rows);
+    roots.extend(rows.flat_map(|row| row.value.into_iter().chain([row.rate])));
+    derive_switches(body.state.time, &system.derivatives, work, &roots)
 }
 
 impl SystemEquations {

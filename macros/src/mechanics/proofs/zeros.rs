@@ -7,7 +7,7 @@ use super::random_state::RandomState;
 
 /// Whether all of `roots` are proved to be zero in all states, on all branches.
 pub fn all_vanish(work: &Workspace, roots: &[Id]) -> bool {
-    let told = told_at_once(work, roots);
+    let told = decided_at_once(work, roots);
     !told.contains(&Some(false)) && {
         let left = left_over(roots, &told);
         samples(work, &left).iter().all(Sample::is_zero)
@@ -17,7 +17,7 @@ pub fn all_vanish(work: &Workspace, roots: &[Id]) -> bool {
 /// Whether each of `roots` is proved to be zero in all states. They are tested together, or
 /// separately if residues cannot decide one of them.
 pub fn vanishing(work: &Workspace, roots: &[Id]) -> Vec<bool> {
-    let told = told_at_once(work, roots);
+    let told = decided_at_once(work, roots);
     let left = left_over(roots, &told);
     let samples = samples(work, &left);
     let tried = samples.iter().zip(left).map(|(sample, root)| {
@@ -30,9 +30,9 @@ pub fn vanishing(work: &Workspace, roots: &[Id]) -> Vec<bool> {
 }
 
 /// Whether each of `roots` is zero, where few evaluations tell.
-fn told_at_once(work: &Workspace, roots: &[Id]) -> Vec<Option<bool>> {
+fn decided_at_once(work: &Workspace, roots: &[Id]) -> Vec<Option<bool>> {
     let state = RandomState::draw(0);
-    work.graph.told_at_once(roots, |id| state.of(work, id))
+    work.graph.decided_at_once(roots, |id| state.of(work, id))
 }
 
 /// Those of `roots` for which all branches are to be tried.

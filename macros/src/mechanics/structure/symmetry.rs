@@ -231,7 +231,7 @@ impl Case<'_> {
         let changes = self.turns.iter().flat_map(|turn| turn.changes.values());
         let all: Vec<Id> = self.roots.iter().chain(changes).copied().collect();
         let tape = graph.tape(&all);
-        if !tape.is_told_by_residues() {
+        if !tape.has_small_degree() {
             return none;
         }
         let mut space = Space::spanned_by(self.axes);

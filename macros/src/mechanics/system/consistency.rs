@@ -26,8 +26,8 @@ pub fn derive_system_consistency(
     let (directions, couplings) = corrections(&mut work.graph, closed);
     label(&mut work.labels, closed, &couplings);
     let graph = &mut work.graph;
-    let keepers = closed.kept.iter().map(|(keeper, _)| keeper);
-    let parts: Vec<_> = keepers.map(|keeper| keeper.joint_part(graph)).collect();
+    let owners = closed.kept.iter().map(|(owner, _)| owner);
+    let parts: Vec<_> = owners.map(|owner| owner.joint_part(graph)).collect();
     let rows = closed.rows().enumerate();
     let rows = rows.map(|(number, row)| {
         let own = couplings[number][number];

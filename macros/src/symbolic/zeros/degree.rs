@@ -32,7 +32,7 @@ const PRIME: f64 = CERTAINTY * CERTAINTY * 128.0;
 impl Tape<'_> {
     /// Whether the degree is low enough for one random value to prove an identity: an expression that
     /// is zero at a random place is zero everywhere, and two that are equal there are equal everywhere.
-    pub fn is_told_by_residues(&self) -> bool {
+    pub fn has_small_degree(&self) -> bool {
         let degrees = self.values(&mut Degrees, |_, _| UNKNOWN);
         let sum: f64 = degrees.iter().map(|of| of.above + of.below).sum();
         let count: f64 = degrees.iter().map(|_| 1.0).sum();

@@ -83,7 +83,7 @@ impl Graph {
     /// The sums of the values of `roots` at several places.
     pub fn sums(&self, roots: &[Id], places: &[impl Fn(Id) -> Residue]) -> Vec<Sample> {
         let tape = self.tape(roots);
-        if !tape.is_told_by_residues() {
+        if !tape.has_small_degree() {
             return vec![Sample(vec![None]); roots.len()];
         }
         let branches = on_branches(|residues| {
@@ -104,7 +104,11 @@ impl Graph {
     /// must be tried. A root that is nonzero on the first branch is not zero. If there are too many
     /// branches to try all of them, a root is zero if it is zero on the first, and with symbols for all
     /// choices.
-    pub fn told_at_once(&self, roots: &[Id], symbol: impl Fn(Id) -> Residue) -> Vec<Option<bool>> {
+    pub fn decided_at_once(
+        &self,
+        roots: &[Id],
+        symbol: impl Fn(Id) -> Residue,
+    ) -> Vec<Option<bool>> {
         let tape = self.tape(roots);
         let values_on = |side: &mut dyn FnMut(Side) -> Option<bool>| {
             let values = tape.values(&mut Residues::new(side), |_, id| Some(symbol(id)));
@@ -118,7 +122,7 @@ impl Graph {
         });
         let is_nonzero = |value: &Option<Residue>| value.is_some_and(|value| !value.is_zero());
         let are_many = choices.len() > MOST_CHOICES && !first.iter().all(is_nonzero);
-        let is_told = are_many && tape.is_told_by_residues();
+        let is_told = are_many && tape.has_small_degree();
         let mixed = is_told.then(|| values_on(&mut |_| None));
         let told = first.iter().enumerate().map(|(index, first)| {
             let is_zero = |mixed: &Vec<_>| [*first, mixed[index]] == [Some(Residue::ZERO); 2];
@@ -138,7 +142,7 @@ impl Graph {
             Node::Symbol(_) => false,
             _ => {
                 let symbol = |id| free(id, 0);
-                let told = self.told_at_once(&[id], symbol)[0];
+                let told = self.decided_at_once(&[id], symbol)[0];
                 told.unwrap_or_else(|| self.samples(&[id], symbol)[0].is_zero())
             }
         }

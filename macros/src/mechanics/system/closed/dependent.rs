@@ -20,7 +20,7 @@ use crate::symbolic::{Equation, Graph, Id};
 use super::super::constraints::ConstraintRow;
 use super::eliminated::{Following, Found, equations};
 use super::guard::{Closeness, guard};
-use super::rows::Keeper;
+use super::rows::Owner;
 use super::semidefinite::Solver;
 
 /// Rows of one joint that have the same dimension, and which of them are independent.
@@ -38,10 +38,10 @@ impl Group {
 }
 
 /// The groups of rows; `independent` marks the rows that are independent of those before them.
-pub fn groups(graph: &Graph, kept: &[(Keeper, ConstraintRow)], independent: &[bool]) -> Vec<Group> {
+pub fn groups(graph: &Graph, kept: &[(Owner, ConstraintRow)], independent: &[bool]) -> Vec<Group> {
     let mut groups: Vec<(Option<(usize, bool)>, Group)> = Vec::new();
-    for (number, ((keeper, _), is_new)) in kept.iter().zip(independent).enumerate() {
-        let own = keeper.joint_part(graph);
+    for (number, ((owner, _), is_new)) in kept.iter().zip(independent).enumerate() {
+        let own = owner.joint_part(graph);
         match groups.last_mut() {
             Some((last, group)) if own.is_some() && *last == own => {
                 group.rows.push(number);
@@ -83,7 +83,7 @@ struct Left {
 pub fn dependent(
     work: &mut Workspace,
     matrix: &MassMatrix,
-    kept: &[(Keeper, ConstraintRow)],
+    kept: &[(Owner, ConstraintRow)],
     groups: Vec<Group>,
     (rates, is_turning): (&[Id], &[bool]),
 ) -> Option<Found> {
@@ -147,7 +147,7 @@ fn by_row(graph: &Graph, rows: &[usize], (first, others): (&[Id], &[Id])) -> Vec
 fn left(
     work: &mut Workspace,
     matrix: &MassMatrix,
-    kept: &[(Keeper, ConstraintRow)],
+    kept: &[(Owner, ConstraintRow)],
     (full, groups): (&[usize], Vec<Group>),
 ) -> Option<Left> {
     let count = matrix.driving.len();
@@ -258,7 +258,7 @@ fn combined(graph: &mut Graph, base: &[Id], units: &[Vec<Id>], factors: &[Id]) -
 fn guard_of(
     graph: &mut Graph,
     left: &Left,
-    (kept, loads): (&[(Keeper, ConstraintRow)], &[Id]),
+    (kept, loads): (&[(Owner, ConstraintRow)], &[Id]),
     (closeness, solver): (&Closeness, &Solver),
 ) -> Option<Id> {
     let count = kept.first()?.1.slopes.len();

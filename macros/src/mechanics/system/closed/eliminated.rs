@@ -6,7 +6,7 @@ use crate::symbolic::{Equation, Id, Size};
 
 use super::super::constraints::{ConstraintRow, split};
 use super::super::reduced::{LoadedRow, label, together};
-use super::rows::Keeper;
+use super::rows::Owner;
 use super::undetermined::{open, without_column};
 
 /// The solution for a system with rows.
@@ -41,7 +41,7 @@ pub struct Following<'a> {
 pub fn eliminated(
     work: &mut Workspace,
     (matrix, coordinates): (&MassMatrix, &[String]),
-    kept: &[(Keeper, ConstraintRow)],
+    kept: &[(Owner, ConstraintRow)],
     following: Following<'_>,
 ) -> Found {
     let count = matrix.driving.len();

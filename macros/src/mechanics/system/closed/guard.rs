@@ -4,7 +4,7 @@
 use crate::symbolic::{Graph, Id, Number};
 
 use super::super::constraints::ConstraintRow;
-use super::rows::Keeper;
+use super::rows::Owner;
 
 /// The rounding error that a row may have, relative to its terms.
 const ROUNDING: f64 = 1e-12;
@@ -28,16 +28,16 @@ impl Closeness {
     /// lengths.
     pub fn of(
         graph: &mut Graph,
-        kept: &[(Keeper, ConstraintRow)],
+        kept: &[(Owner, ConstraintRow)],
         rates: &[Id],
         is_turning: &[bool],
     ) -> Self {
         let (mut place, mut rate) = (Vec::new(), Vec::new());
         let mut rest = kept;
-        while let Some((keeper, _)) = rest.first() {
-            let own = keeper.joint_part(graph);
+        while let Some((owner, _)) = rest.first() {
+            let own = owner.joint_part(graph);
             let is_same =
-                |one: &&(Keeper, ConstraintRow)| own.is_some() && one.0.joint_part(graph) == own;
+                |one: &&(Owner, ConstraintRow)| own.is_some() && one.0.joint_part(graph) == own;
             let count = rest.iter().take_while(is_same).count().max(1);
             let (group, others) = rest.split_at(count);
             rest = others;

@@ -9,7 +9,7 @@ use super::super::constraints::Ends;
 use super::super::plane::{Absolute, Arms, derive_masses, of_hinge, of_row, shortest};
 use super::super::reduced::{Balance, LinearRow, Reduced, loads, reduce};
 use super::eliminated::Found;
-use super::rows::{Keeper, Known};
+use super::rows::{Known, Owner};
 
 /// Solves the rows block by block. `None` if rows are dependent or trivial somewhere, or if loads
 /// depend on those of constraints.
@@ -67,14 +67,14 @@ fn rows(
             rows.extend(both.map(|row| (Some(number), row)));
             continue;
         }
-        for (keeper, row) in &known.kept {
-            if matches!(keeper, Keeper::Joint(of, _) if *of == number) {
+        for (owner, row) in &known.kept {
+            if matches!(owner, Owner::Joint(of, _) if *of == number) {
                 rows.push((Some(number), of_row(graph, absolute, row)));
             }
         }
     }
     let written = known.kept.iter();
-    let written = written.filter(|(keeper, _)| keeper.number().is_some());
+    let written = written.filter(|(owner, _)| owner.number().is_some());
     rows.extend(written.map(|(_, row)| (None, of_row(graph, absolute, row))));
     rows
 }

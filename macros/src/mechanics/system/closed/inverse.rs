@@ -29,9 +29,9 @@ pub fn solve_drives(
             .iter()
             .map(|other| if *other == freedom { one } else { zero })
             .collect();
-        for ((keeper, row), follows) in closed.kept.iter().zip(&closed.follows) {
+        for ((owner, row), follows) in closed.kept.iter().zip(&closed.follows) {
             let slope = if *follows { zero } else { row.slopes[freedom] };
-            let number = keeper.number();
+            let number = owner.number();
             let back = number.map_or(zero, |number| following[number][freedom]);
             coefficients.push(work.graph.subtract(slope, back));
         }

@@ -13,7 +13,7 @@ use super::super::constraints::{
 };
 
 /// The joint or written constraint that a row belongs to.
-pub enum Keeper {
+pub enum Owner {
     /// A joint that closes a loop, by its index, and the force and moment of a unit of the row's
     /// load.
     Joint(usize, [Components; 2]),
@@ -30,9 +30,9 @@ pub struct Known<'a> {
     pub placed: Vec<Placed>,
     /// The ends of the joints that close loops.
     pub ends: Vec<Ends<'a>>,
-    pub kept: Vec<(Keeper, ConstraintRow)>,
+    pub kept: Vec<(Owner, ConstraintRow)>,
     /// The rows that do not restrict accelerations.
-    pub idle: Vec<(Keeper, ConstraintRow)>,
+    pub idle: Vec<(Owner, ConstraintRow)>,
 }
 
 impl<'a> Known<'a> {
@@ -64,17 +64,17 @@ impl<'a> Known<'a> {
                 work.labels.vector(&name, arm);
             }
         }
-        let mut rows: Vec<(Keeper, ConstraintRow)> = Vec::new();
+        let mut rows: Vec<(Owner, ConstraintRow)> = Vec::new();
         for (number, ends) in ends.iter().enumerate() {
             let own = rows_of_joint(&mut work.graph, &built.tree, &placed, ends).into_iter();
-            rows.extend(own.map(|one| (Keeper::Joint(number, [one.force, one.moment]), one.row)));
+            rows.extend(own.map(|one| (Owner::Joint(number, [one.force, one.moment]), one.row)));
         }
         let written = rows_of_written(system, work, built, motion).into_iter();
         let written = written.enumerate();
-        rows.extend(written.map(|(number, row)| (Keeper::Written(number), row)));
+        rows.extend(written.map(|(number, row)| (Owner::Written(number), row)));
         let rows = rows.into_iter();
         let (idle, kept): (Vec<_>, Vec<_>) =
-            rows.partition(|(keeper, row)| keeper.is_idle(work, row));
+            rows.partition(|(owner, row)| owner.is_idle(work, row));
         for (_, row) in &kept {
             let open = built.tree.links.iter().flat_map(Link::open);
             row.label(&mut work.labels, open.map(|freedom| freedom.name.as_str()));
@@ -102,7 +102,7 @@ impl<'a> Known<'a> {
     }
 }
 
-impl Keeper {
+impl Owner {
     /// For the row of a joint: the index of the joint, and whether the load of the row is a moment.
     pub fn joint_part(&self, graph: &Graph) -> Option<(usize, bool)> {
         match self {

@@ -14,12 +14,12 @@ use super::assembly::{Assembly, Coordinates};
 use super::dependent::{dependent, groups};
 use super::eliminated::{Following, Found, eliminated};
 use super::in_plane::in_plane;
-use super::rows::{Keeper, Known};
+use super::rows::{Known, Owner};
 use super::undetermined::{Spare, Undetermined, bare};
 
 /// The constraints of such a system, and their loads.
 pub struct Closed {
-    pub kept: Vec<(Keeper, ConstraintRow)>,
+    pub kept: Vec<(Owner, ConstraintRow)>,
     /// For each constraint, whether it follows from the others in closed states.
     pub follows: Vec<bool>,
     /// The diagonal of the mass matrix of the tree.
@@ -88,8 +88,8 @@ fn undetermined(
         light: found.light.clone(),
         ..Undetermined::default()
     };
-    for (keeper, _) in &known.idle {
-        undetermined.add(keeper, BTreeSet::new());
+    for (owner, _) in &known.idle {
+        undetermined.add(owner, BTreeSet::new());
     }
     for (row, others, _) in &found.spare {
         let others = others.iter().map(|other| known.kept[*other].1.name.clone());
@@ -128,7 +128,7 @@ fn found(
         by_blocks => {
             let symbols = &system.constraints.loads;
             let kept = known.kept.iter();
-            let loads = kept.map(|(keeper, _)| Some(symbols[keeper.number()?]));
+            let loads = kept.map(|(owner, _)| Some(symbols[owner.number()?]));
             let following = Following {
                 loads: &loads.collect::<Vec<Option<Id>>>(),
                 accelerations,
@@ -192,20 +192,20 @@ fn spare(system: &System, work: &mut Workspace, known: &Known<'_>, found: &Found
 fn loads_of(
     system: &System,
     work: &mut Workspace,
-    kept: &[(Keeper, ConstraintRow)],
+    kept: &[(Owner, ConstraintRow)],
     found: &[Id],
 ) -> Loads {
     let mut wrenches = vec![[work.graph.zeros(); 2]; system.closings.len()];
     let mut loads = vec![work.graph.zero(); system.constraints.list.len()];
-    for ((keeper, _), load) in kept.iter().zip(found) {
-        match keeper {
-            Keeper::Joint(number, unit) => {
+    for ((owner, _), load) in kept.iter().zip(found) {
+        match owner {
+            Owner::Joint(number, unit) => {
                 for (sum, unit) in wrenches[*number].iter_mut().zip(unit) {
                     let part = work.graph.scale_vector(*load, *unit);
                     *sum = work.graph.add_vectors(*sum, part);
                 }
             }
-            Keeper::Written(number) => loads[*number] = work.graph.quantity(*load),
+            Owner::Written(number) => loads[*number] = work.graph.quantity(*load),
         }
     }
     (wrenches, loads)

@@ -10,7 +10,7 @@ use crate::model::{System, Workspace};
 use crate::symbolic::{Components, Elimination, Equation, Graph, Id};
 
 use super::super::constraints::ConstraintRow;
-use super::rows::{Keeper, Known};
+use super::rows::{Known, Owner};
 
 /// Which loads the equations do not determine, by the index of what they belong to.
 #[derive(Default)]
@@ -27,7 +27,7 @@ pub struct Undetermined {
     pub axes: Vec<Option<Components>>,
 }
 
-/// Loads that balance each other on all bodies. Those of a joint are its force and moment on the
+/// A state of self-stress: loads that balance each other on all bodies. Those of a joint are its force and moment on the
 /// carried body, at its point on that body, in world axes.
 pub struct Spare {
     /// The loads of joints that close loops.
@@ -110,8 +110,8 @@ fn subtract_at(
 
 impl Undetermined {
     /// Adds a constraint whose load is not determined, with the names of those that can replace it.
-    pub fn add(&mut self, keeper: &Keeper, others: BTreeSet<String>) {
-        if let Keeper::Written(number) = keeper {
+    pub fn add(&mut self, owner: &Owner, others: BTreeSet<String>) {
+        if let Owner::Written(number) = owner {
             self.written.push((*number, others));
         }
     }
@@ -160,12 +160,12 @@ pub fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
 pub fn check_closed(
     system: &System,
     work: &Workspace,
-    kept: &[(Keeper, ConstraintRow)],
+    kept: &[(Owner, ConstraintRow)],
     errors: &mut Errors,
 ) -> Option<()> {
     let mut apart: Vec<usize> = Vec::new();
-    for (keeper, row) in kept {
-        let Some((number, _)) = keeper.joint_part(&work.graph) else {
+    for (owner, row) in kept {
+        let Some((number, _)) = owner.joint_part(&work.graph) else {
             continue;
         };
         let mut moves = row.slopes.iter().chain([&row.rate, &row.bias]);

@@ -27,8 +27,8 @@ pub struct Undetermined {
     pub axes: Vec<Option<Components>>,
 }
 
-/// A state of self-stress: loads that balance each other on all bodies. Those of a joint are its force and moment on the
-/// carried body, at its point on that body, in world axes.
+/// A state of self-stress: loads that balance each other on all bodies. Those of a joint are its
+/// force and moment on the carried body, at its point on that body, in world axes.
 pub struct Spare {
     /// The loads of joints that close loops.
     pub closings: Vec<[Components; 2]>,

@@ -198,10 +198,19 @@ fn what_is_wrong_with_joints_is_said() {
     );
 }
 
+/// What is said of something beside the bodies, in one of its lines.
+fn check_beside(cases: &[(&str, &str)]) {
+    for (inside, expected) in cases {
+        let text = format!("<mujoco>\n{}\n{inside}\n</mujoco>", body(BALL));
+        let found = said(expanded("wrong", text.as_bytes()));
+        let expected = format!("4, {expected}");
+        assert!(found.contains(&expected), "{found:#?} and {expected}");
+    }
+}
+
 #[test]
-fn what_is_wrong_beside_the_bodies_is_said() {
-    let with = |inside: &str| format!("{}\n{inside}", body(BALL));
-    let cases = [
+fn what_is_wrong_with_actuators_is_said() {
+    check_beside(&[
         (
             "<actuator><muscle joint=\"j\"/></actuator>",
             "`<muscle>`: only `<motor>`, `<position>`, `<velocity>`, `<damper>`, `<general>` are read: write what `muscle` does in `drives`, and leave it out",
@@ -215,6 +224,22 @@ fn what_is_wrong_beside_the_bodies_is_said() {
             "`<general>`: `gaintype`: `fixed` and `affine` are read, and this is `muscle`",
         ),
         (
+            "<actuator><position joint=\"j\" timeconst=\"1\"/></actuator>",
+            "`<position>`: `timeconst`: actuators with a state of their own are not read",
+        ),
+        (
+            "<actuator><position joint=\"j\" kv=\"-1\"/></actuator>",
+            "`<position>`: `kv` is at least 0",
+        ),
+        (
+            "<actuator><position joint=\"j\" dampratio=\"1\"/></actuator>",
+            "`<position>`: `dampratio`: damping by a ratio is not read: write `kv`",
+        ),
+        (
+            "<actuator><general joint=\"j\" gainprm=\"2\" biastype=\"affine\" biasprm=\"0 -2 0.5\"/></actuator>",
+            "`<general>`: `biasprm`: beside a spring, a third number above 0 is a damping ratio, and this is not read",
+        ),
+        (
             "<actuator><motor tendon=\"t\"/></actuator>",
             "`<motor>`: there is no tendon `t`",
         ),
@@ -226,6 +251,12 @@ fn what_is_wrong_beside_the_bodies_is_said() {
             "<actuator><motor site=\"l\"/></actuator>",
             "`<motor>`: there is no attribute `site`",
         ),
+    ]);
+}
+
+#[test]
+fn what_is_wrong_beside_the_bodies_is_said() {
+    check_beside(&[
         (
             "<equality><joint joint1=\"l\"/></equality>",
             "`<joint>`: there is no joint `l`",
@@ -278,15 +309,7 @@ fn what_is_wrong_beside_the_bodies_is_said() {
             "<actuators/>",
             "`<actuators>`: this is not read, and may change the motion; did you mean `actuator`?",
         ),
-    ];
-    for (inside, expected) in cases {
-        let found = said(expanded(
-            "wrong",
-            format!("<mujoco>\n{}\n</mujoco>", with(inside)).as_bytes(),
-        ));
-        let expected = format!("4, {expected}");
-        assert!(found.contains(&expected), "{found:#?} and {expected}");
-    }
+    ]);
 }
 
 /// A file, and all that is said of it.

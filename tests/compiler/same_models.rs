@@ -115,20 +115,116 @@ fn numbers_that_an_actuator_leaves_out_are_those_of_its_class() {
     );
 }
 
-#[test]
-fn a_kind_of_actuators_in_a_class_resets_the_others() {
-    let of = |class: &str, own: &str| {
-        with(&format!(
-            "<default>{class}</default><actuator><position name=\"p\" joint=\"j\" {own}/></actuator>"
-        ))
+/// Actuators of nested classes, the outermost first; the actuator has the innermost.
+fn nested(classes: &[&str], actuator: &str) -> String {
+    let each = classes.iter().enumerate();
+    let open = each.map(|(number, inside)| match number {
+        0 => format!("<default>{inside}"),
+        _ => format!("<default class=\"c{number}\">{inside}"),
+    });
+    let open: String = open.collect();
+    let close = "</default>".repeat(classes.len());
+    let class = match classes.len() {
+        0 | 1 => String::new(),
+        count => format!("class=\"c{}\"", count - 1),
     };
-    let (motor, position) = ("<motor ctrlrange=\"0 1\"/>", "<position kp=\"50\"/>");
-    // actuator_gainprm: 50 and 1
-    check(&of(&format!("{motor}{position}"), ""), &of("", "kp=\"50\""));
-    check(&of(&format!("{position}{motor}"), ""), &of("", ""));
+    let actuator = actuator.replace("/>", &format!(" name=\"g\" joint=\"j\" {class}/>"));
+    with(&format!("{open}{close}<actuator>{actuator}</actuator>"))
+}
+
+#[test]
+fn a_kind_of_actuators_takes_from_classes_what_a_class_of_its_kind_or_general_says() {
+    let position = "<position kp=\"3\" kv=\"2\"/>";
+    let velocity = "<velocity kv=\"4\"/>";
+    let spring = "<general biastype=\"affine\" biasprm=\"1 0 -0.3\"/>";
+    // the numbers of MuJoCo 4.0: actuator_gainprm and actuator_biasprm
+    let cases: [(&[&str], &str, &str); 20] = [
+        (&[position], "<position/>", position),
+        (
+            &["<motor/><position kp=\"50\"/>"],
+            "<position/>",
+            "<position kp=\"50\"/>",
+        ),
+        (
+            &["<position kp=\"50\"/><motor/>"],
+            "<position/>",
+            "<position/>",
+        ),
+        (&[velocity], "<position/>", "<position/>"),
+        (
+            &[velocity],
+            "<position kp=\"2\" kv=\"3\"/>",
+            "<position kp=\"2\" kv=\"3\"/>",
+        ),
+        (
+            &[position, "<motor/>"],
+            "<position kp=\"7\"/>",
+            "<position kp=\"7\" kv=\"2\"/>",
+        ),
+        (&[position, velocity], "<position/>", position),
+        (&[position, velocity], "<velocity/>", velocity),
+        (
+            &[spring, "<position kp=\"2.5\"/>"],
+            "<position/>",
+            "<position kp=\"2.5\" kv=\"0.3\"/>",
+        ),
+        (&[spring], "<position/>", "<position kp=\"1\" kv=\"0.3\"/>"),
+        (
+            &[position, "<general/>"],
+            "<velocity/>",
+            "<velocity kv=\"3\"/>",
+        ),
+        (
+            &[position, "<motor/>", "<general/>"],
+            "<position/>",
+            "<position/>",
+        ),
+        (
+            &[position, "<general gaintype=\"affine\"/>"],
+            "<position/>",
+            position,
+        ),
+        (
+            &["<general gaintype=\"affine\" gainprm=\"9 8 -7\"/>"],
+            "<velocity/>",
+            "<velocity/>",
+        ),
+        (
+            &["<general gaintype=\"affine\" gainprm=\"9 8 -7\"/>"],
+            "<damper/>",
+            "<damper kv=\"7\"/>",
+        ),
+        (
+            &["<damper kv=\"5\"/>", position],
+            "<damper/>",
+            "<damper kv=\"5\"/>",
+        ),
+        (&[position], "<damper/>", "<damper kv=\"0\"/>"),
+        (&["<muscle/>"], "<position/>", "<position/>"),
+        (
+            &[position, "<cylinder area=\"4\"/>"],
+            "<position/>",
+            position,
+        ),
+        (&["<position timeconst=\"1\"/>"], "<motor/>", "<motor/>"),
+    ];
+    for (classes, own, whole) in cases {
+        check(&nested(classes, own), &nested(&[], whole));
+    }
+    // a general actuator has the numbers of the class as they are
+    let servo = "<general gainprm=\"3\" biastype=\"affine\" biasprm=\"0 -3 -2\"/>";
+    check(&nested(&[position], "<general/>"), &nested(&[], servo));
+    let motor = "<general biastype=\"affine\"/>";
+    check(&nested(&[position, "<motor/>"], motor), &nested(&[], motor));
+    let instant = "<general dyntype=\"filterexact\" dynprm=\"0\"/>";
     check(
-        &of("<velocity kv=\"5\"/>", "kp=\"2\" kv=\"3\""),
-        &of("", "kp=\"2\" kv=\"3\""),
+        &nested(&[instant], "<position/>"),
+        &nested(&[], "<position/>"),
+    );
+    // what is no part of the law is shared by all kinds
+    check(
+        &nested(&["<motor gear=\"2 3\"/>", "<velocity/>"], "<motor/>"),
+        &nested(&[], "<motor gear=\"2 3\"/>"),
     );
 }
 

@@ -72,6 +72,14 @@ where
     all
 }
 
+/// An input, its fields in the order of the alphabet, from a list of numbers.
+macro_rules! input {
+    ($kind:ident { $($field:ident),* }, $given:expr) => {{
+        let [$($field),*] = $given.try_into().unwrap();
+        $kind { $($field),* }
+    }};
+}
+
 #[test]
 fn an_arm_of_all_kinds_of_geoms_and_turns() {
     // in the order of the alphabet
@@ -125,43 +133,63 @@ fn a_loop_that_is_closed_and_a_body_that_is_welded() {
 
 #[test]
 fn armatures_tendons_actuators_and_coordinates_that_follow_others() {
-    // in the order of the alphabet
-    macro_rules! input {
-        ($kind:ident, $given:expr) => {{
-            let [brake, haul, law, pull, servo, spindle, squeeze, turn] =
-                $given.try_into().unwrap();
-            $kind {
-                turn,
-                servo,
-                squeeze,
-                spindle,
-                brake,
-                law,
-                pull,
-                haul,
+    macro_rules! given {
+        ($kind:ident) => {
+            |given: &[f64]| {
+                input!(
+                    $kind {
+                        brake,
+                        haul,
+                        law,
+                        pull,
+                        servo,
+                        spindle,
+                        squeeze,
+                        turn
+                    },
+                    given
+                )
             }
-        }};
+        };
     }
-    let coupled = Coupled::default();
-    let found = compare("coupled", &coupled, |given| input!(CoupledInput, given));
+    let found = compare("coupled", &Coupled::default(), given!(CoupledInput));
     let printed = CoupledPrinted::default();
-    let same = compare("coupled", &printed, |given| {
-        input!(CoupledPrintedInput, given)
-    });
+    let same = compare("coupled", &printed, given!(CoupledPrintedInput));
     assert_eq!(found, same);
 }
 
 #[test]
 fn classes_welds_with_poses_of_their_own_and_masses_of_some_groups() {
-    let found = compare("classes", &Classes::default(), |given| ClassesInput {
-        law: given[0],
-        servo: given[1],
-    });
-    let same = compare("classes", &ClassesPrinted::default(), |given| {
-        ClassesPrintedInput {
-            law: given[0],
-            servo: given[1],
-        }
-    });
+    macro_rules! given {
+        ($kind:ident) => {
+            |given: &[f64]| {
+                input!(
+                    $kind {
+                        bare,
+                        beside,
+                        brake,
+                        braked,
+                        firm,
+                        inner,
+                        law,
+                        loose,
+                        nearest,
+                        paced,
+                        plain,
+                        reset,
+                        same,
+                        servo,
+                        slack,
+                        strong,
+                        tuned
+                    },
+                    given
+                )
+            }
+        };
+    }
+    let found = compare("classes", &Classes::default(), given!(ClassesInput));
+    let printed = ClassesPrinted::default();
+    let same = compare("classes", &printed, given!(ClassesPrintedInput));
     assert_eq!(found, same);
 }

@@ -20,8 +20,12 @@ NAMES = {"linkage": {"crank": "crank_joint"}, "swing": {"": "body_3_joint"}}
 INPUTS = {
     "arm": ["pan_motor", "slip_motor"],
     "quadruped": ["thigh_1_motor", "motor_2"],
-    "classes": ["law", "servo"],
-    "coupled": ["turn", "servo", "squeeze", "spindle", "brake", "law", "pull", "haul"],
+    "classes": (
+        "law servo loose brake tuned strong firm slack paced inner same plain bare nearest beside reset braked".split()
+    ),
+    "coupled": (
+        "turn servo squeeze spindle brake law pull haul".split()
+    ),
 }
 
 

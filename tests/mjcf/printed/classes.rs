@@ -3,7 +3,25 @@
 use newton_euler::prelude::*;
 
 rigid_system!(ClassesPrinted {
-    inputs: [law, servo],
+    inputs: [
+        law,
+        servo,
+        loose,
+        brake,
+        tuned,
+        strong,
+        firm,
+        slack,
+        paced[rad / s],
+        inner,
+        same,
+        plain,
+        bare[N * m],
+        nearest,
+        beside,
+        reset[rad / s],
+        braked,
+    ],
     bodies: [
         post {
             inertia: compose([cuboid(2 * 0.1, 2 * 0.08, 2 * 0.06)
@@ -73,5 +91,27 @@ rigid_system!(ClassesPrinted {
         servo_on_roll = (0.5
             * (9 * servo + -9 * 0.5 * roll.angle + -0.3 * 0.5 * roll.angular_velocity))
             .on(roll),
+        loose_on_lift = (2 * (1 * loose + -1 * 2 * lift.angle)).on(lift),
+        brake_on_roll = (2 * (-0.3 * 2 * roll.angular_velocity * brake)).on(roll),
+        tuned_on_lift =
+            (2 * (3 * tuned + -3 * 2 * lift.angle + -0.3 * 2 * lift.angular_velocity)).on(lift),
+        strong_on_roll = (2
+            * (2.5 * strong + -2.5 * 2 * roll.angle + -0.3 * 2 * roll.angular_velocity))
+            .on(roll),
+        firm_on_lift =
+            (2 * (2.5 * firm + -2.5 * 2 * lift.angle + -0.3 * 2 * lift.angular_velocity)).on(lift),
+        slack_on_roll = (2.5 * slack + -2.5 * roll.angle + -0.3 * roll.angular_velocity).on(roll),
+        paced_on_lift = (2 * (3 * paced + -3 * 2 * lift.angular_velocity)).on(lift),
+        inner_on_roll =
+            (3 * (7 * inner + -7 * 3 * roll.angle + -2 * 3 * roll.angular_velocity)).on(roll),
+        same_on_lift =
+            (3 * (1.5 * same + -1.5 * 3 * lift.angle + -2 * 3 * lift.angular_velocity)).on(lift),
+        plain_on_roll = (3 * (1 * plain)).on(roll),
+        bare_on_lift = (3 * bare).on(lift),
+        nearest_on_roll = (0.7 * (1 * nearest + -1 * 0.7 * roll.angle)).on(roll),
+        beside_on_lift =
+            (3 * (1.5 * beside + -1.5 * 3 * lift.angle + -2 * 3 * lift.angular_velocity)).on(lift),
+        reset_on_roll = (3 * (1 * reset + -1 * 3 * roll.angular_velocity)).on(roll),
+        braked_on_lift = (3 * (-0.4 * 3 * lift.angular_velocity * braked)).on(lift),
     ],
 });

@@ -10,22 +10,22 @@ use crate::syntax::xml::reader::Reader;
 use crate::syntax::xml::written::unit;
 
 use super::body::Body;
+use super::classes::{Classes, Element, Law};
 use super::describe::Writer;
-use super::element::{Classes, Element};
 use super::joint::Motion;
 use super::length::{Length, Term};
 use super::tendon::Tendon;
 
-/// An input u, and a force along a length: `(g0 + g1 length + g2 rate) u + b0 + b1 length + b2
-/// rate`.
+/// An input, and a force along a length: its gain times the input, plus its bias.
 pub struct Actuator {
     pub name: String,
     length: Length,
     gear: Decimal,
-    gain: [Decimal; 3],
-    bias: [Decimal; 3],
+    law: Law,
     /// The unit of its input; `None` if that is unknown.
     unit: Option<&'static str>,
+    /// Whether its input has the unit of the force.
+    is_force: bool,
     extent: Extent,
 }
 
@@ -107,70 +107,26 @@ impl Reader<'_> {
                 continue;
             };
             let number = found.len() + 1;
-            let element = classes.of(child, None, self);
+            let (element, steps) = classes.actuator(child, self);
             self.check_names(&element, &[&KNOWN, &SKIPPED, own]);
-            self.check_classes(child, classes);
-            found.extend(self.actuator(&element, number, (bodies, tendons)));
-        }
-    }
-
-    /// In `MuJoCo`, all actuators share one set of defaults. So what a class says of another kind
-    /// counts too, except for what an actuator says itself: a motor and a damper say all that they
-    /// do.
-    fn check_classes(&mut self, node: Node<'_, '_>, classes: &Classes) {
-        let tag = node.tag_name().name();
-        let says = |all: &[&str]| all.iter().all(|name| node.has_attribute(*name));
-        let says_all = match tag {
-            "motor" | "damper" => true,
-            "position" => says(&["kp", "kv"]),
-            "velocity" => says(&["kv"]),
-            _ => false,
-        };
-        for kind in ACTUATORS.iter().filter(|kind| **kind != tag) {
-            let Some(all) = classes.given(node, kind) else {
-                continue;
-            };
-            let law = KINDS.iter().find(|(known, _)| known == kind);
-            let has_law = match law {
-                // a motor leaves gains as they are by default
-                Some((_, law)) if tag != "general" || *kind == "motor" => {
-                    law.iter().any(|name| all.contains(name))
-                }
-                _ => true,
-            };
-            let shared = ["gear", "armature", "damping", "delay"];
-            let mut shared = shared.iter().filter(|name| all.contains(name));
-            if has_law && !says_all {
-                let message = format!(
-                    "its class sets attributes of `<{kind}>`, which `MuJoCo` applies to all actuators: give it another class"
-                );
-                self.report::<()>(node, message);
-            } else if let Some(word) = shared.find(|name| !node.has_attribute(**name)) {
-                let message = format!(
-                    "its class sets `{word}` of `<{kind}>`, which `MuJoCo` applies to all actuators: write it here"
-                );
-                self.report::<()>(node, message);
-            }
+            let law = self.law(child, &steps);
+            found.extend(self.actuator(&element, law, number, (bodies, tendons)));
         }
     }
 
     fn actuator(
         &mut self,
         element: &Element<'_, '_>,
+        law: Option<Law>,
         number: usize,
         (bodies, tendons): (&[Body], &[Tendon]),
     ) -> Option<Actuator> {
         let node = element.node;
-        let slow = "actuators with a state of their own are not read";
-        let relative = "damping by a ratio is not read: write `kv`";
         let late = "inputs that act later are not read: give the input at the time when it acts";
         let added = "what an actuator adds to its joint is not read: write it at the joint";
         self.refuse(
             element,
             &[
-                ("dyntype", &["none"], slow),
-                ("timeconst", &["0"], slow),
-                ("dampratio", &["0"], relative),
                 ("delay", &["0"], late),
                 ("armature", &["0"], added),
                 ("damping", &["0"], added),
@@ -192,7 +148,6 @@ impl Reader<'_> {
             }
         };
         let tag = node.tag_name().name();
-        let (gain, bias) = self.law(element, tag)?;
         let gear = self
             .list(element, "gear", 1..=6, "1 0 0 0 0 0")
             .into_iter()
@@ -209,73 +164,12 @@ impl Reader<'_> {
                 ("velocity", false) => Some("0[rad / s]"),
                 _ => None,
             },
+            is_force: tag == "motor",
             length,
             gear,
-            gain,
-            bias,
+            law: law?,
             extent: self.at(node),
         })
-    }
-
-    /// Gain and bias of an actuator of a kind.
-    fn law(
-        &mut self,
-        element: &Element<'_, '_>,
-        tag: &str,
-    ) -> Option<([Decimal; 3], [Decimal; 3])> {
-        let extent = self.at(element.node);
-        let (zero, one) = (|| Decimal::zero(extent), Decimal::one(extent));
-        let none = || [zero(), zero(), zero()];
-        Some(match tag {
-            "position" => {
-                let stiffness = self.single(element, "kp", "1");
-                let damping = self.single(element, "kv", "0");
-                let bias = [zero(), stiffness.negated(), damping.negated()];
-                ([stiffness, zero(), zero()], bias)
-            }
-            "velocity" => {
-                let damping = self.single(element, "kv", "1");
-                let bias = [zero(), zero(), damping.negated()];
-                ([damping, zero(), zero()], bias)
-            }
-            "damper" => {
-                if !element.has("kv") {
-                    return self.report(element.node, "it has no attribute `kv`");
-                }
-                let damping = self.single(element, "kv", "1");
-                ([zero(), zero(), damping.negated()], none())
-            }
-            "general" => (
-                self.terms(element, ("gaintype", "fixed", "gainprm"), "1 0 0")?,
-                self.terms(element, ("biastype", "none", "biasprm"), "0 0 0")?,
-            ),
-            _ => ([one, zero(), zero()], none()),
-        })
-    }
-
-    /// The parameters of a gain or a bias. If it is not affine, only those that count.
-    fn terms(
-        &mut self,
-        element: &Element<'_, '_>,
-        (kind, simple, numbers): (&str, &str, &str),
-        default: &str,
-    ) -> Option<[Decimal; 3]> {
-        let word = element.get(kind).unwrap_or(simple).to_owned();
-        if word != simple && word != "affine" {
-            let message =
-                format!("`{kind}`: `{simple}` and `affine` are read, and this is `{word}`");
-            return self.report(element.node, message);
-        }
-        let extent = self.at(element.node);
-        let given = self.list(element, numbers, 1..=10, default);
-        let count = match (word.as_str(), simple) {
-            ("affine", _) => 3,
-            (_, "fixed") => 1,
-            _ => 0,
-        };
-        let mut given = given.into_iter().take(count);
-        let mut next = || given.next().unwrap_or(Decimal::zero(extent));
-        Some([next(), next(), next()])
     }
 }
 
@@ -319,14 +213,19 @@ impl Actuator {
             });
             terms.collect::<Vec<String>>()
         };
-        let (gain, mut terms) = (sum(&self.gain), sum(&self.bias));
-        match gain.as_slice() {
-            [] => {}
-            [one] if one == "1" => terms.insert(0, input.to_string()),
-            _ => terms.insert(0, format!("({}) * {input}", gain.join(" + "))),
-        }
-        match terms.as_slice() {
+        let (gain, bias) = self.law.terms();
+        let gain = match sum(&gain).as_slice() {
             [] => "0".to_owned(),
+            terms => terms.join(" + "),
+        };
+        let mut terms = sum(&bias);
+        // without a factor, the input keeps its unit
+        let given = match gain.as_str() {
+            "1" if self.is_force => input.to_string(),
+            gain => format!("({gain}) * {input}"),
+        };
+        terms.insert(0, given);
+        match terms.as_slice() {
             [one] if one == &input.to_string() && gear == "1" => one.clone(),
             all if gear == "1" => format!("({})", all.join(" + ")),
             all => format!("(({gear}) * ({}))", all.join(" + ")),

@@ -9,7 +9,7 @@ use crate::syntax::xml::names::Names;
 use crate::syntax::xml::reader::Reader;
 use crate::syntax::xml::{Beside, LINKS};
 
-use super::element::{Classes, bare};
+use super::classes::{Classes, bare};
 use super::joint::{Joint, Motion};
 use super::place::{PLACE, Place, product, rotate};
 use super::settings::Settings;

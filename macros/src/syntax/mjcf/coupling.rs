@@ -7,8 +7,8 @@ use crate::syntax::xml::decimal::Decimal;
 use crate::syntax::xml::reader::Reader;
 
 use super::body::Body;
+use super::classes::{Classes, Element};
 use super::describe::Writer;
-use super::element::{Classes, Element};
 use super::equality::EQUALITY;
 use super::length::{Length, Term};
 use super::tendon::Tendon;

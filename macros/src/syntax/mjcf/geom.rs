@@ -7,7 +7,7 @@ use crate::syntax::Part;
 use crate::syntax::xml::decimal::Decimal;
 use crate::syntax::xml::reader::Reader;
 
-use super::element::{Classes, Element, bare};
+use super::classes::{Classes, Element, bare};
 use super::place::{PLACE, Place, shortest, tuple, turned, turned_inertia};
 use super::settings::Settings;
 use crate::syntax::xml::written::written;

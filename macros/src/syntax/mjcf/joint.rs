@@ -8,7 +8,7 @@ use crate::syntax::expression::Expression;
 use crate::syntax::xml::decimal::Decimal;
 use crate::syntax::xml::reader::Reader;
 
-use super::element::{Classes, Element};
+use super::classes::{Classes, Element};
 use super::settings::Settings;
 
 /// The kind of a joint.

@@ -6,9 +6,9 @@
 
 mod actuator;
 mod body;
+mod classes;
 mod coupling;
 mod describe;
-mod element;
 mod equality;
 mod geom;
 mod joint;
@@ -27,9 +27,9 @@ use super::xml::reader::Reader;
 use super::xml::{Beside, Described, document};
 use actuator::{ACTUATORS, Actuator, KINDS};
 use body::{Body, Reading, massive, poses};
+use classes::{Classes, Tags};
 use coupling::Coupling;
 use describe::Writer;
-use element::{Classes, Tags};
 use equality::{Closing, EQUALITY};
 use place::tuple;
 use settings::Settings;

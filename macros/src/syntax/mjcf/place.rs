@@ -5,7 +5,7 @@ use core::fmt::Write;
 use crate::syntax::xml::decimal::{Angle, Decimal};
 use crate::syntax::xml::reader::Reader;
 
-use super::element::{Element, TURNS};
+use super::classes::{Element, TURNS};
 use super::settings::Settings;
 
 /// A rotation about an axis, as written and as numbers.

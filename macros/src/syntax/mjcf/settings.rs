@@ -5,7 +5,7 @@ use roxmltree::Node;
 use crate::syntax::xml::decimal::Decimal;
 use crate::syntax::xml::reader::Reader;
 
-use super::element::{Element, bare};
+use super::classes::{Element, bare};
 
 /// How a file is interpreted.
 pub struct Settings {

@@ -7,8 +7,8 @@ use crate::syntax::xml::decimal::Decimal;
 use crate::syntax::xml::reader::Reader;
 
 use super::body::Body;
+use super::classes::{Classes, bare};
 use super::describe::Writer;
-use super::element::{Classes, bare};
 use super::length::{Length, Term};
 
 pub struct Tendon {

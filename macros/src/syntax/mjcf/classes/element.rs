@@ -27,43 +27,32 @@ impl Element<'_, '_> {
     }
 }
 
-/// `<default class="..">`: attributes by class and tag, including those of the enclosing classes.
+/// `<default class="..">`, by name.
 #[derive(Default)]
-pub struct Classes(BTreeMap<String, BTreeMap<String, Attributes>>);
+pub struct Classes(BTreeMap<String, Class>);
+
+/// What a class gives to its elements.
+#[derive(Clone, Default)]
+struct Class {
+    /// Attributes by tag, including those of the enclosing classes.
+    tags: BTreeMap<String, Attributes>,
+    /// The tags and attributes of its actuators, after those of each enclosing class.
+    actuators: Vec<Vec<(String, Attributes)>>,
+}
+
+/// The actuators of classes that an actuator follows, class by class, and the actuator itself.
+pub type Steps<'n, 'd> = Vec<Vec<(String, Element<'n, 'd>)>>;
 
 /// The class of elements that name none.
 const MAIN: &str = "main";
 /// Rotations of a body or a geom. One that is written replaces any other that a class gives.
 pub const TURNS: [&str; 5] = ["quat", "axisangle", "euler", "xyaxes", "zaxis"];
 /// Lists that may be shorter than those of the class, which give the numbers that are missing.
-const FILLED: [&str; 7] = [
-    "size",
-    "gear",
-    "gainprm",
-    "biasprm",
-    "dynprm",
-    "damping",
-    "stiffness",
-];
+const FILLED: [&str; 4] = ["size", "gear", "damping", "stiffness"];
 /// Elements of classes that do not affect the motion.
 const SKIPPED: [&str; 7] = [
     "mesh", "texture", "material", "site", "camera", "light", "pair",
 ];
-/// Attributes that say what an actuator does. All kinds of actuators share them, so one kind
-/// resets those of all others; only `general` leaves them as they are.
-const LAW: [&str; 10] = [
-    "kp",
-    "kv",
-    "dampratio",
-    "timeconst",
-    "gaintype",
-    "gainprm",
-    "biastype",
-    "biasprm",
-    "dyntype",
-    "dynprm",
-];
-
 /// The tags that a class may contain.
 pub struct Tags<'t> {
     /// The supported ones, each with its known attributes.
@@ -95,7 +84,8 @@ impl Classes {
             };
             let around = around.and_then(|around| self.0.get(&around).cloned());
             let known = self.0.get(&class).cloned();
-            let mut tags = known.or(around).unwrap_or_default();
+            let mut given = known.or(around).unwrap_or_default();
+            let mut actuators = Vec::new();
             for child in reader.parts(node, &expected, &SKIPPED) {
                 let tag = child.tag_name().name();
                 if tag == "default" {
@@ -105,16 +95,15 @@ impl Classes {
                 if let Some((_, names)) = all.known.iter().find(|(known, _)| *known == tag) {
                     reader.check_attributes(child, &names.concat());
                 }
-                if tag != "general" && all.actuators.contains(&tag) {
-                    let others = tags.iter_mut();
-                    let others = others.filter(|(other, _)| {
-                        other.as_str() != tag && all.actuators.contains(&other.as_str())
-                    });
-                    others.for_each(|(_, law)| law.retain(|name, _| !LAW.contains(&name.as_str())));
+                let own = attributes(child);
+                if all.actuators.contains(&tag) {
+                    actuators.push((tag.to_owned(), own));
+                } else {
+                    overlay(given.tags.entry(tag.to_owned()).or_default(), &own);
                 }
-                overlay(tags.entry(tag.to_owned()).or_default(), child);
             }
-            self.0.insert(class, tags);
+            given.actuators.push(actuators);
+            self.0.insert(class, given);
         }
     }
 
@@ -138,11 +127,24 @@ impl Classes {
         self.of_class(node, (None, tag), reader)
     }
 
-    /// The attributes that the class of an element gives to another tag, if it has that tag.
-    pub fn given(&self, node: Node<'_, '_>, tag: &str) -> Option<Vec<&str>> {
-        let class = node.attribute("class").unwrap_or(MAIN);
-        let known = self.0.get(class)?.get(tag)?;
-        Some(known.keys().map(String::as_str).collect())
+    /// An actuator with the attributes that its classes give to actuators of any kind, and the steps
+    /// to what it does.
+    pub fn actuator<'n, 'd>(
+        &self,
+        node: Node<'n, 'd>,
+        reader: &mut Reader<'_>,
+    ) -> (Element<'n, 'd>, Steps<'n, 'd>) {
+        let class = self.class(node, None, reader);
+        let mut steps = class.map_or_else(Vec::new, |class| class.actuators.clone());
+        steps.push(vec![(node.tag_name().name().to_owned(), attributes(node))]);
+        let mut all = Attributes::new();
+        let written = steps.iter().flatten();
+        written.for_each(|(_, attributes)| overlay(&mut all, attributes));
+        let element = |attributes: Attributes| Element { node, attributes };
+        let step = |(tag, attributes)| (tag, element(attributes));
+        let steps = steps.into_iter();
+        let steps = steps.map(|class| class.into_iter().map(step).collect());
+        (element(all), steps.collect())
     }
 
     fn of_class<'n, 'd>(
@@ -151,17 +153,30 @@ impl Classes {
         (around, tag): (Option<&str>, &str),
         reader: &mut Reader<'_>,
     ) -> Element<'n, 'd> {
+        let class = self.class(node, around, reader);
+        let known = class.and_then(|class| class.tags.get(tag));
+        let mut all = known.cloned().unwrap_or_default();
+        overlay(&mut all, &attributes(node));
+        Element {
+            node,
+            attributes: all,
+        }
+    }
+
+    /// The class of an element. Reports a class that does not exist.
+    fn class(
+        &self,
+        node: Node<'_, '_>,
+        around: Option<&str>,
+        reader: &mut Reader<'_>,
+    ) -> Option<&Class> {
         let class = node.attribute("class");
-        let used = class.or(around).unwrap_or(MAIN);
-        let tags = self.0.get(used);
-        if let Some(class) = class.filter(|_| tags.is_none()) {
+        let found = self.0.get(class.or(around).unwrap_or(MAIN));
+        if let Some(class) = class.filter(|_| found.is_none()) {
             let hint = hint(class, self.0.keys().map(String::as_str));
             reader.report::<()>(node, format!("there is no class `{class}`{hint}"));
         }
-        let known = tags.and_then(|tags| tags.get(tag));
-        let mut attributes = known.cloned().unwrap_or_default();
-        overlay(&mut attributes, node);
-        Element { node, attributes }
+        found
     }
 
     pub fn check_class(&self, node: Node<'_, '_>, reader: &mut Reader<'_>) {
@@ -176,24 +191,32 @@ impl Classes {
 
 /// An element that has no class.
 pub fn bare<'n, 'd>(node: Node<'n, 'd>) -> Element<'n, 'd> {
-    let mut attributes = Attributes::new();
-    overlay(&mut attributes, node);
-    Element { node, attributes }
+    Element {
+        node,
+        attributes: attributes(node),
+    }
+}
+
+fn attributes(node: Node<'_, '_>) -> Attributes {
+    let owned = |text: &str| text.to_owned();
+    let all = node.attributes();
+    all.map(|one| (owned(one.name()), owned(one.value())))
+        .collect()
 }
 
 /// Writes the attributes of an element over those of its class.
-fn overlay(into: &mut Attributes, node: Node<'_, '_>) {
-    if TURNS.iter().any(|name| node.has_attribute(*name)) {
+fn overlay(into: &mut Attributes, from: &Attributes) {
+    if TURNS.iter().any(|name| from.contains_key(*name)) {
         into.retain(|name, _| !TURNS.contains(&name.as_str()));
     }
-    for attribute in node.attributes() {
-        let (name, mut value) = (attribute.name(), attribute.value().to_owned());
-        if let Some(around) = into.get(name).filter(|_| FILLED.contains(&name)) {
+    for (name, value) in from {
+        let mut value = value.clone();
+        if let Some(around) = into.get(name).filter(|_| FILLED.contains(&name.as_str())) {
             let count = value.split_whitespace().count();
             let missing = around.split_whitespace().skip(count);
             value.extend(missing.flat_map(|part| [" ", part]));
         }
-        into.insert(name.to_owned(), value);
+        into.insert(name.clone(), value);
     }
 }
 

@@ -141,11 +141,18 @@ fn armatures_tendons_actuators_and_coordinates_that_follow_others() {
                         brake,
                         haul,
                         law,
+                        pace,
                         pull,
+                        push,
                         servo,
+                        shift,
                         spindle,
                         squeeze,
-                        turn
+                        still,
+                        tighten,
+                        turn,
+                        whirl,
+                        wind
                     },
                     given
                 )

@@ -24,7 +24,7 @@ INPUTS = {
         "law servo loose brake tuned strong firm slack paced inner same plain bare nearest beside reset braked".split()
     ),
     "coupled": (
-        "turn servo squeeze spindle brake law pull haul".split()
+        "turn servo squeeze spindle brake law pull haul shift still whirl pace push wind tighten".split()
     ),
 }
 

@@ -36,6 +36,14 @@ rigid_system!(ByHand {
             mass: 1[kg],
             inertia: principal(0.01, 0.01, 0.01)[kg * m ^ 2]
         },
+        nut {
+            mass: 0.3[kg],
+            inertia: principal(0.001, 0.001, 0.001)[kg * m ^ 2]
+        },
+        needle {
+            mass: 0.1[kg],
+            inertia: principal(0.001, 0.002, 0.001)[kg * m ^ 2]
+        },
     ],
     joints: [
         drive = revolute(world(0.1, 0, 0.2), wheel.hub, body(0, 0, 1)).turned(body(1, 0, 0), 0.3),
@@ -43,11 +51,15 @@ rigid_system!(ByHand {
         rack = prismatic(world(0, 0.1, 0), bar.G, body(1, 0, 0)),
         held = weld(world(0, 0, 0), lever.G).turned(body(0, 1, 0), 0.3),
         copy = revolute(world(0, 0, 0), twin.G, body(0, 1, 0)),
+        screw = prismatic(world(0, 0, 0.1), nut.G, body(0, 0, 1)),
+        gauge = revolute(world(0, 0, 0), needle.G, body(0, 1, 0)),
     ],
     constraints: [
         first = follow.angle + 2.5 * drive.angle - 0.1[rad],
         second = rack.position - 0.05[m] * follow.angle,
         third = copy.angle - 0.3[rad],
+        fourth = screw.position - 1[m] * drive.angle,
+        fifth = gauge.angle - rack.position / 1[m] - 0.2,
     ],
     drives: [motor = torque.on(drive)],
     fields: [weight = mass * world(0, 0, -9.81[m / s ^ 2])],
@@ -72,18 +84,27 @@ fn joints_that_follow_others() {
                 velocity: 0.05 * follow_rate,
             },
             copy: hinge(0.3, 0.0),
+            screw: Slide {
+                position: angle,
+                velocity: rate,
+            },
+            gauge: hinge(0.05 * follow + 0.2, 0.05 * follow_rate),
         };
         let GearedState {
             drive,
             follow,
             rack,
             copy,
+            screw,
+            gauge,
         } = state;
         let same = ByHandState {
             drive,
             follow,
             rack,
             copy,
+            screw,
+            gauge,
         };
         let (input, hand) = (GearedInput { torque: 0.6 }, ByHandInput { torque: 0.6 });
         geared.check(0.0, &state, &input).unwrap();
@@ -97,6 +118,8 @@ fn joints_that_follow_others() {
             (a.follow, b.follow),
             (a.rack, b.rack),
             (a.copy, b.copy),
+            (a.screw, b.screw),
+            (a.gauge, b.gauge),
         ];
         for (found, expected) in pairs {
             assert!(
@@ -106,6 +129,8 @@ fn joints_that_follow_others() {
         }
         assert!((a.follow + 2.5 * a.drive).abs() < 1e-13 * size);
         assert!((a.rack - 0.05 * a.follow).abs() < 1e-13 * size);
+        assert!((a.screw - a.drive).abs() < 1e-13 * size);
+        assert!((a.gauge - a.rack).abs() < 1e-13 * size);
         // what is held so stands in energy, too
         let (one, other) = (geared.kinetic_energy(&state), by_hand.kinetic_energy(&same));
         assert!((one - other).abs() < 1e-14 * other.abs());

@@ -87,6 +87,9 @@ impl Writer<'_> {
     /// `first - (a + b * second + c * second.powi(2))`
     pub fn couple(&mut self, coupling: &Coupling, word: &proc_macro2::Ident) {
         let other = coupling.second.as_ref().map(Length::change);
+        // without a factor, the second length keeps its unit
+        let second = coupling.second.as_ref();
+        let is_alike = second.is_some_and(|second| second.kind() == coupling.first.kind());
         let terms = coupling.polynomial.iter().enumerate();
         let terms = terms.filter(|(_, factor)| !factor.is_zero());
         let terms = terms.filter_map(|(power, factor)| {
@@ -94,7 +97,7 @@ impl Writer<'_> {
             match (power, &other) {
                 (0, _) => Some(format!("({factor})")),
                 (_, None) => None,
-                (1, Some(other)) if factor == "1" => Some(other.clone()),
+                (1, Some(other)) if factor == "1" && is_alike => Some(other.clone()),
                 (1, Some(other)) => Some(format!("({factor}) * {other}")),
                 (_, Some(other)) => Some(format!("({factor}) * ({other}).powi({power})")),
             }

@@ -16,7 +16,8 @@ pub struct Length(pub Vec<Term>);
 
 #[derive(Clone)]
 pub struct Term {
-    /// The factor of the coordinate; `None` for a factor of one.
+    /// The factor of the coordinate, also if it is one: a number has no unit, so its product fits
+    /// other coordinates. `None` for a joint alone.
     pub factor: Option<String>,
     pub joint: Ident,
     pub kind: Motion,
@@ -29,7 +30,7 @@ pub struct Term {
 impl Term {
     pub fn new(joint: &Joint, factor: Option<&Decimal>) -> Self {
         Self {
-            factor: factor.map(Decimal::literal).filter(|text| text != "1"),
+            factor: factor.map(Decimal::literal),
             joint: joint.ident.clone(),
             kind: joint.kind,
             reference: joint.reference.clone(),
@@ -76,6 +77,15 @@ impl Length {
             Some(term.of(&format!("{}.{word}", term.joint)))
         });
         text.unwrap_or_default()
+    }
+
+    /// The kind of the joint that it is the coordinate of, with its unit; `None` for a sum with
+    /// factors, which has any unit.
+    pub fn kind(&self) -> Option<Motion> {
+        match self.0.as_slice() {
+            [one] if one.factor.is_none() => Some(one.kind),
+            _ => None,
+        }
     }
 
     /// Its value in the drawn pose, if it is not zero.

@@ -55,7 +55,8 @@ impl Robot {
         };
         let (multiplier, offset) = (mimic.multiplier.literal(), mimic.offset.literal());
         let led = match multiplier.as_str() {
-            "1" => other,
+            // without a factor, the coordinate keeps its unit
+            "1" if joint.kind == leader.kind => other,
             factor => format!("({factor}) * {other}"),
         };
         let led = if mimic.offset.is_zero() {

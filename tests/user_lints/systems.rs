@@ -178,3 +178,12 @@ pub mod still {
         outputs: [energy, momentum, balance, taylor, linearization],
     });
 }
+
+/// From a file, with names that are taken by the language, and inputs that move nothing.
+pub mod named {
+    newton_euler::rigid_system!(Named {
+        doc: "A system from a file.",
+        mjcf: "tests/user_lints/named.xml",
+        outputs: [energy, reactions, taylor, linearization],
+    });
+}

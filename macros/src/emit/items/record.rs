@@ -117,9 +117,12 @@ fn lints<'n>(names: impl IntoIterator<Item = &'n Ident>) -> TokenStream {
     quote!(#[allow(clippy::struct_field_names #snake_case)])
 }
 
-/// The lint to allow for names such as a parameter `J` or a reaction `R_v`.
+/// The lint to allow for names such as a parameter `J`, a reaction `R_v` or an input `left__motor`.
 pub fn snake_case<'n>(names: impl IntoIterator<Item = &'n Ident>) -> Option<TokenStream> {
-    let has_capitals = |name: &Ident| name.to_string().contains(char::is_uppercase);
-    let unusual = names.into_iter().any(has_capitals);
+    let is_unusual = |name: &Ident| {
+        let name = name.to_string();
+        name.contains(char::is_uppercase) || name.trim_matches('_').contains("__")
+    };
+    let unusual = names.into_iter().any(is_unusual);
     unusual.then(|| quote!(non_snake_case))
 }

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 use roxmltree::Node;
 
 use crate::syntax::xml::decimal::Decimal;
-use crate::syntax::xml::names::word;
+use crate::syntax::xml::names::{extended, word};
 use crate::syntax::xml::reader::Reader;
 
 use super::body::Body;
@@ -117,7 +117,7 @@ impl Reader<'_> {
     ) -> Option<&'b Joint> {
         let joints = || bodies.iter().flat_map(|body| &body.joints);
         let ident = word(name).unwrap_or_default();
-        let alias = format!("{ident}_joint");
+        let alias = extended(&ident, "joint");
         let found = joints().find(|joint| joint.ident == ident.as_str());
         let found = found.or(joints().find(|joint| joint.ident == alias.as_str()));
         let Some(joint) = found else {

@@ -36,7 +36,7 @@ impl Names {
     pub fn joint(&mut self, name: &str, links: &[&Ident], span: Span) -> Result<Ident, Refused> {
         let mut word = word(name).ok_or(Refused::Empty)?;
         if links.iter().any(|link| **link == word.as_str()) {
-            word.push_str("_joint");
+            word = extended(&word, "joint");
         }
         self.take(name, word, span)
     }
@@ -46,7 +46,7 @@ impl Names {
     pub fn fresh(&mut self, name: &str, suffix: &str, span: Span) -> Ident {
         let mut word = word(name).unwrap_or(suffix.to_owned());
         while !self.taken.insert(word.clone()) {
-            word = format!("{word}_{suffix}");
+            word = extended(&word, suffix);
         }
         Ident::new(&word, span)
     }
@@ -60,6 +60,11 @@ impl Names {
         }
         Ok(Ident::new(&word, span))
     }
+}
+
+/// A word with a suffix, with one underscore between.
+pub fn extended(word: &str, suffix: &str) -> String {
+    format!("{}_{suffix}", word.trim_end_matches('_'))
 }
 
 /// `left-arm.1` as `left_arm_1`. Words of Rust and of this language get an underscore at the end.

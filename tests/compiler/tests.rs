@@ -17,6 +17,7 @@ mod expansions;
 mod files;
 mod from_root;
 mod jumps;
+mod magnitudes;
 mod models;
 mod numbers;
 mod operations;

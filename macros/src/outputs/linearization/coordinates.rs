@@ -3,17 +3,19 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::emit::code::{Site, local};
+use crate::emit::code::{COMMON, Method, Site, Writer, local};
 use crate::model::{AXES, Group, Outline, Variable};
+use crate::symbolic::Id;
 
 /// `impl Coordinated<STATES, INPUTS> for Body`; `in_world` says of each joint whether its
-/// coordinates are in world axes.
-pub fn coordinated(site: &Site<'_>, in_world: &[bool]) -> TokenStream {
+/// coordinates are in world axes, and `sizes` are those of the terms of the accelerations.
+pub fn coordinated(site: &Site<'_>, in_world: &[bool], sizes: Option<&[Id]>) -> TokenStream {
     let (outline, private) = (site.outline, &site.shapes.private);
     let groups = outline.tangent();
     let places = places(&groups, in_world).into_iter();
     let places = places.map(|place| quote!(#private::Place::#place));
     let states: usize = groups.iter().map(|group| group.size).sum();
+    let sizes = terms(site, sizes, states);
     let (states, input) = (Literal::usize_unsuffixed(states), site.input_type());
     let (read, written, count) = components(outline);
     let count = Literal::usize_unsuffixed(count);
@@ -43,9 +45,26 @@ pub fn coordinated(site: &Site<'_>, in_world: &[bool]) -> TokenStream {
             fn input(#list_name) -> Self::Input {
                 #made
             }
+
+            #sizes
             #violations
         }
     }
+}
+
+/// `terms`: the sizes of the terms of each acceleration, behind zeros for the coordinates.
+fn terms(site: &Site<'_>, sizes: Option<&[Id]>, states: usize) -> TokenStream {
+    let method = site.method(sizes, |writer, sizes| {
+        let writer = Writer {
+            is_whole: true,
+            ..writer.clone()
+        };
+        let zeros = core::iter::repeat_n(quote!(0.0), states - sizes.len());
+        Method::write(&writer, sizes, |values| quote!([#(#zeros,)* #(#values),*]))
+    });
+    let states = Literal::usize_unsuffixed(states);
+    let arguments = site.arguments(&method, &COMMON);
+    method.declared("terms", &arguments, &quote!([f64; #states]))
 }
 
 /// `each_violation` of a body under constraints.

@@ -24,6 +24,8 @@ const OFFER: Offer = Offer {
 #[derive(Default)]
 pub struct Linearization {
     found: Option<mechanics::Linearization>,
+    /// The size of the terms of each acceleration.
+    sizes: Vec<Id>,
     /// Whether the coordinates of each joint are in world axes.
     in_world: Vec<bool>,
 }
@@ -60,6 +62,7 @@ impl<S: Subject> Output<S> for Linearization {
         let model = basis.model;
         let differentiated = model.differentiated(basis.work, basis.equations);
         let found = mechanics::linearize(basis.outline, model, basis.work, differentiated);
+        self.sizes = basis.work.graph.magnitudes(&found.accelerations);
         self.found = Some(found);
         let joints = 0..basis.outline.joints.len().max(1);
         self.in_world = joints.map(|joint| basis.model.is_in_world(joint)).collect();
@@ -96,7 +99,8 @@ impl<S: Subject> Output<S> for Linearization {
         addition
             .implementations
             .extend(space.matrices(&double, &blocks, patterns.as_ref()));
-        let coordinated = coordinated(&double, &self.in_world);
+        let sizes = self.found.as_ref().map(|_| &self.sizes[..]);
+        let coordinated = coordinated(&double, &self.in_world, sizes);
         addition.implementations.extend(coordinated);
         addition
     }

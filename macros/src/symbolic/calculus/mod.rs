@@ -3,4 +3,5 @@
 mod derivative;
 mod gradient;
 mod jumps;
+mod magnitudes;
 mod norms;

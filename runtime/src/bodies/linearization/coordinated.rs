@@ -19,6 +19,9 @@ pub trait Coordinated<const STATES: usize, const INPUTS: usize>:
     /// The input with these components.
     fn input(components: [f64; INPUTS]) -> Self::Input;
 
+    /// The size of the largest term of each acceleration; zero for the coordinates.
+    fn terms(&self, time: f64, state: &Self::State, input: &Self::Input) -> [f64; STATES];
+
     /// The violation of each constraint; none by default.
     fn each_violation(
         &self,

@@ -3,6 +3,7 @@
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, DimDiff, DimSub, SMatrix, U1};
 
+use super::balanced::Balanced;
 use super::modes::Modes;
 use crate::bodies::body::{RigidBody, Unrequested, unrequested};
 
@@ -89,19 +90,29 @@ pub trait Linearized<const STATES: usize, const INPUTS: usize> {
     /// P = exp(A h),    Q = (integral from 0 to h of exp(A s) ds) B
     /// ```
     ///
-    /// to rounding: Taylor's series on a step so short that `|A h| <= 1/2`, doubled as often as
-    /// necessary (scaling and squaring; C. Moler and C. Van Loan, Nineteen dubious ways to compute
-    /// the exponential of a matrix). The result is NaN if A is not finite, or if the exponential
+    /// to rounding: A is balanced by powers of two (B. Parlett and C. Reinsch, Balancing a matrix
+    /// for calculation of eigenvalues and eigenvectors); then Taylor's series on a step so short
+    /// that `|A h| <= 1/2` is doubled as often as necessary (scaling and squaring; C. Moler and
+    /// C. Van Loan, Nineteen dubious ways to compute the exponential of a matrix). Rounding grows
+    /// with the number of doublings: an oscillation loses as many digits as its phase in the step has
+    /// before the decimal point. The result is NaN if A is not finite, or if the exponential
     /// overflows.
     fn discretized(
         &self,
         step: f64,
     ) -> (SMatrix<f64, STATES, STATES>, SMatrix<f64, STATES, INPUTS>) {
-        let (a, b) = (self.a(), self.b());
+        let Some(balanced) = Balanced::of(&self.a()) else {
+            return (SMatrix::repeat(f64::NAN), SMatrix::repeat(f64::NAN));
+        };
+        let (a, scales) = (balanced.matrix * balanced.scale, balanced.diagonal);
+        let mut b = self.b();
+        for (mut row, scale) in b.row_iter_mut().zip(&scales) {
+            row /= *scale;
+        }
         let size = one_norm(&a) * step.abs();
         let mut doublings = 0;
         let mut short = step;
-        // beyond this, the exponential overflows, or A is not finite
+        // beyond this, the exponential overflows
         while size * (short / step).abs() > 0.5 && doublings < 1100 {
             short *= 0.5;
             doublings += 1;
@@ -118,7 +129,15 @@ pub trait Linearized<const STATES: usize, const INPUTS: usize> {
             integral += power * integral;
             power = power * power;
         }
-        (power, integral * b)
+        let mut push = integral * b;
+        for (row, scale) in scales.iter().enumerate() {
+            power.row_mut(row).scale_mut(*scale);
+            push.row_mut(row).scale_mut(*scale);
+        }
+        for (mut column, scale) in power.column_iter_mut().zip(&scales) {
+            column /= *scale;
+        }
+        (power, push)
     }
 
     /// The modes of `x' = A x`: its eigenvalues. They describe the motion if A stays constant, as

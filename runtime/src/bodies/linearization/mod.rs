@@ -14,6 +14,7 @@
 //! An attitude has three coordinates, and `e' = dw - w × e`. The unit vector along the axis of a
 //! rod also has three; there x is perpendicular to the axis.
 
+mod balanced;
 mod coordinated;
 mod matrices;
 mod modes;

@@ -127,3 +127,53 @@ fn what_is_no_number_has_no_modes() {
     let large = SMatrix::<f64, 4, 4>::from_diagonal_element(-1e300);
     assert!(Known(large).modes().expect("it is finite").is_stable());
 }
+
+/// `x'' = -k x - c x'` for some oscillators, in axes that are not those of the oscillators.
+fn mixed<const N: usize>(oscillators: &[[f64; 2]], seed: u64) -> SMatrix<f64, N, N> {
+    let mut a = SMatrix::<f64, N, N>::zeros();
+    for (number, [k, c]) in oscillators.iter().enumerate() {
+        let (at, rate) = (2 * number, 2 * number + 1);
+        a[(at, rate)] = 1.0;
+        (a[(rate, at)], a[(rate, rate)]) = (-k, -c);
+    }
+    let mut number = numbers(seed);
+    let p = SMatrix::<f64, N, N>::from_fn(|i, j| number() + if i == j { 3.0 } else { 0.0 });
+    p * a * p.try_inverse().expect("it is regular")
+}
+
+#[test]
+fn undamped_oscillations_neither_grow_nor_decay() {
+    for seed in 0..100 {
+        let modes = Known(mixed::<6>(&[[9.0, 0.0], [4.0, 0.0], [1e4, 0.0]], seed)).modes();
+        let modes = modes.expect("it converges");
+        assert_eq!((modes.len(), modes.neutral()), (3, 0));
+        for mode in modes.iter() {
+            assert_eq!(mode.eigenvalue.re, 0.0);
+            assert_eq!(mode.damping_ratio(), 0.0);
+            assert_eq!((mode.time_to_half(), mode.time_to_double()), (None, None));
+        }
+        assert!(!modes.is_stable());
+    }
+}
+
+#[test]
+fn weak_damping_is_seen() {
+    // beside rounding, at the frequency of an undamped mode, critical, and repeated
+    for seed in 0..100 {
+        for [k, c] in [[9.0, 1e-9], [4.0, 1e-8], [4.0, 4.0], [4.0, -1e-8]] {
+            let a = mixed::<6>(&[[4.0, 0.0], [k, c], [k, c]], seed);
+            let modes = Known(a).modes().expect("it converges");
+            let rates = modes.iter().map(|mode| mode.eigenvalue.re);
+            let still = rates.clone().filter(|rate| *rate == 0.0).count();
+            assert_eq!(still, 1, "{seed} {k} {c}: {modes:?}");
+            assert!(
+                rates
+                    .clone()
+                    .all(|rate| rate == 0.0 || (rate < 0.0) == (c > 0.0))
+            );
+            let a = mixed::<4>(&[[k, c], [k, c]], seed);
+            let modes = Known(a).modes().expect("it converges");
+            assert_eq!(modes.is_stable(), c > 0.0, "{seed} {k} {c}: {modes:?}");
+        }
+    }
+}

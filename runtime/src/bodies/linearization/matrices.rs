@@ -146,7 +146,9 @@ pub trait Linearized<const STATES: usize, const INPUTS: usize> {
     /// motion takes; those of a trimmed body do not.
     ///
     /// The eigenvalues come from the Schur form of the balanced A, after removing neutral
-    /// directions. `None` if A is not finite.
+    /// directions. Real parts are zero if a change of the balanced A within rounding makes them so:
+    /// no more than the number of states times ten units of rounding, as a fraction of its norm.
+    /// `None` if A is not finite.
     ///
     /// ```
     /// use newton_euler::prelude::*;

@@ -20,6 +20,7 @@ mod matrices;
 mod modes;
 mod orthogonal;
 mod place;
+mod resolvent;
 mod sensitivity;
 mod tangent;
 mod trim;

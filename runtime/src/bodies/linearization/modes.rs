@@ -1,10 +1,11 @@
 //! The modes of a linear motion: the eigenvalues of A.
 
 use nalgebra::allocator::Allocator;
-use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{Complex, Const, DefaultAllocator, DimDiff, DimSub, SMatrix, SVector, Schur, U1};
 
+use super::balanced::Balanced;
 use super::orthogonal::{Turning, orthogonalize};
+use super::resolvent::distance;
 
 /// A mode of a linear motion, `x ~ exp(eigenvalue t)`: an oscillation, from a pair of eigenvalues,
 /// or pure growth or decay.
@@ -20,7 +21,8 @@ use super::orthogonal::{Turning, orthogonalize};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mode {
-    /// The eigenvalue \[1/s\]; of a pair, the one with positive imaginary part.
+    /// The eigenvalue \[1/s\]; of a pair, the one with positive imaginary part. The real part is
+    /// zero where it is rounding: then the mode neither grows nor decays, as far as doubles tell.
     pub eigenvalue: Complex<f64>,
     /// Whether the eigenvalue is zero to rounding: the motion neither returns nor departs
     /// exponentially. Positions and headings that nothing holds are neutral.
@@ -34,11 +36,11 @@ impl Mode {
         libm::hypot(self.eigenvalue.re, self.eigenvalue.im)
     }
 
-    /// One for critical damping, negative for growth; 1 or -1 for a mode without oscillation, and
-    /// NaN for a neutral mode.
+    /// One for critical damping, negative for growth; 1 or -1 for a mode without oscillation, zero
+    /// for an oscillation that neither grows nor decays, and NaN for a neutral mode.
     #[must_use]
     pub fn damping_ratio(&self) -> f64 {
-        -self.eigenvalue.re / self.natural_frequency()
+        (0.0 - self.eigenvalue.re) / self.natural_frequency()
     }
 
     /// The period of an oscillation \[s\].
@@ -48,14 +50,16 @@ impl Mode {
         (rate > 0.0).then(|| core::f64::consts::TAU / rate)
     }
 
-    /// The time in which a decaying mode halves \[s\].
+    /// The time in which a decaying mode halves \[s\]; `None` for a mode that grows, and for one that
+    /// does neither to rounding.
     #[must_use]
     pub fn time_to_half(&self) -> Option<f64> {
         let rate = -self.eigenvalue.re;
         (rate > 0.0).then(|| core::f64::consts::LN_2 / rate)
     }
 
-    /// The time in which a growing mode doubles \[s\].
+    /// The time in which a growing mode doubles \[s\]; `None` for a mode that decays, and for one
+    /// that does neither to rounding.
     #[must_use]
     pub fn time_to_double(&self) -> Option<f64> {
         let rate = self.eigenvalue.re;
@@ -85,7 +89,8 @@ impl<const N: usize> Modes<N> {
         self.iter().filter(|mode| mode.is_neutral).count()
     }
 
-    /// Whether all modes except neutral ones decay.
+    /// Whether all modes except neutral ones decay. Oscillations without damping do not, nor do
+    /// those whose decay is lost in rounding.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         let mut moving = self.iter().filter(|mode| !mode.is_neutral);
@@ -99,14 +104,10 @@ impl<const N: usize> Modes<N> {
         DefaultAllocator:
             Allocator<Const<N>, DimDiff<Const<N>, U1>> + Allocator<DimDiff<Const<N>, U1>>,
     {
-        if !matrix.iter().all(|entry| entry.is_finite()) {
-            return None;
-        }
-        let largest = matrix.amax();
-        let scale = libm::exp2(f64::from(libm::ilogb(largest.max(f64::MIN_POSITIVE))));
-        let mut balanced = matrix / scale;
-        balance_parlett_reinsch::<f64, Const<N>>(&mut balanced);
-        let (rest, moving) = without_neutral(balanced, size);
+        let Balanced { matrix, scale, .. } = Balanced::of(matrix)?;
+        let count = f64::from(u32::try_from(size).unwrap_or(u32::MAX));
+        let rounding = ROUNDING * count * matrix.norm();
+        let (rest, moving) = without_neutral(matrix, size);
         let values = eigenvalues(rest, moving)?;
         let mut modes = Self {
             all: [Mode {
@@ -116,9 +117,13 @@ impl<const N: usize> Modes<N> {
             count: 0,
         };
         for value in values.iter().take(moving).filter(|value| value.im >= 0.0) {
+            let mut value = *value;
+            if is_undamped(&rest, moving, value, rounding) {
+                value.re = 0.0;
+            }
             modes.all[modes.count] = Mode {
                 eigenvalue: value * scale,
-                is_neutral: false,
+                is_neutral: value.re == 0.0 && value.im == 0.0,
             };
             modes.count += 1;
         }
@@ -162,6 +167,26 @@ where
         matrix = mirror * matrix * mirror;
     }
     None
+}
+
+/// The rounding errors of the Schur form are those of a change of the balanced matrix by at most
+/// this fraction of its norm, times its size (J. H. Wilkinson, The Algebraic Eigenvalue Problem, 8).
+const ROUNDING: f64 = 10.0 * f64::EPSILON;
+
+/// Whether the real part of an eigenvalue is rounding: whether a change of the matrix within
+/// rounding gives it any value down to zero. The eigenvalues of all such matrices are the
+/// pseudospectrum of this one; an eigenvalue that is sensitive moves far in it. One point on the way
+/// distinguishes the eigenvalue from others at the same frequency.
+fn is_undamped<const N: usize>(
+    matrix: &SMatrix<f64, N, N>,
+    size: usize,
+    value: Complex<f64>,
+    rounding: f64,
+) -> bool {
+    [0.0, 0.5].into_iter().all(|part| {
+        let point = Complex::new(part * value.re, value.im);
+        distance(matrix, size, point) <= rounding
+    })
 }
 
 /// A singular value below this fraction of the largest counts as zero.

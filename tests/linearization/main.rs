@@ -20,6 +20,7 @@ mod textbook;
 mod together;
 mod trim;
 mod trim_of_systems;
+mod whether_steady;
 
 #[test]
 fn an_aeroplane_has_its_published_modes() {

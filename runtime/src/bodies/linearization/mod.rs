@@ -30,4 +30,4 @@ pub use matrices::{Linearization, Linearized, place, rates_of_places};
 pub use modes::{Mode, Modes};
 pub use place::Place;
 pub use sensitivity::{ByParams, Sensitivity};
-pub use trim::{Condition, Conditions, Off, Search, Trim, TrimError, Trimmed};
+pub use trim::{Condition, Conditions, Off, Quantity, Search, Trim, TrimError, Trimmed};

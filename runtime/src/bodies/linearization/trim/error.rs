@@ -18,6 +18,16 @@ pub struct Off {
     pub by: f64,
 }
 
+/// A free quantity, and where the search left it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantity {
+    /// Its name in [`Linearized::STATES`](crate::linearization::Linearized::STATES) or
+    /// [`Linearized::INPUTS`](crate::linearization::Linearized::INPUTS).
+    pub name: &'static str,
+    /// Its value, SI units; zero for an attitude.
+    pub value: f64,
+}
+
 /// Why no steady motion was found.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -45,6 +55,23 @@ pub enum TrimError {
         /// quantities that would reduce the residual to first order, the most effective first; none
         /// if nothing does.
         held: [Option<&'static str>; FEW],
+    },
+    /// Free quantities without effect where the search ended, to first order, although they have
+    /// one elsewhere: a rotor that stands, if the thrust is proportional to the square of its speed.
+    /// Newton's method cannot tell which way to change them: try another start.
+    NoEffect {
+        /// The residual, the worst first.
+        residual: [Option<Off>; FEW],
+        /// The quantities, two at most.
+        free: [Option<Quantity>; 2],
+    },
+    /// The steps lead to where an acceleration has no value: where a mass runs out, or a distance
+    /// that it is divided by.
+    Singular {
+        /// The coordinate whose acceleration that is, or the condition.
+        name: &'static str,
+        /// The free quantity with which it changes without bound.
+        free: Quantity,
     },
     /// User-defined states that change whatever the inputs are, although everything else can be
     /// steady: fuel that burns, or a battery that is drained. Make them
@@ -93,6 +120,26 @@ impl fmt::Display for TrimError {
                 }
                 Ok(())
             }
+            Self::NoEffect { residual, free } => {
+                f.write_str("not steady")?;
+                left_over(f, residual)?;
+                for (number, Quantity { name, value }) in free.iter().flatten().enumerate() {
+                    let before = if number == 0 { "; " } else { ", " };
+                    write!(f, "{before}`{name}` has no effect at {}", Brief(*value))?;
+                }
+                let several = free[1].is_some();
+                f.write_str(if several {
+                    ": start from other values"
+                } else {
+                    ": start from another value"
+                })
+            }
+            Self::Singular { name, free } => write!(
+                f,
+                "the search leads to where `{name}` changes without bound with `{}`, near {}: start from another value, or hold it",
+                free.name,
+                Brief(free.value)
+            ),
             Self::Drifting { residual, states } => {
                 f.write_str("not steady")?;
                 left_over(f, residual)?;

@@ -21,11 +21,16 @@ impl<const N: usize, const M: usize> Change<N, M> {
 
     /// Combines two changes component by component.
     #[must_use]
-    pub fn times(&self, other: &Self) -> Self {
+    pub fn with(&self, other: &Self, of: impl Fn(f64, f64) -> f64 + Copy) -> Self {
         Self {
-            state: self.state.component_mul(&other.state),
-            input: self.input.component_mul(&other.input),
+            state: self.state.zip_map(&other.state, of),
+            input: self.input.zip_map(&other.input, of),
         }
+    }
+
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        self.with(other, |a, b| a * b)
     }
 
     #[must_use]

@@ -1,18 +1,17 @@
 //! Steady motions by Newton's method: free quantities change until nothing accelerates.
 
-use core::ops::ControlFlow;
-
 use nalgebra::{SMatrix, Vector3};
 
 use super::conditions::{Condition, Conditions};
-use super::error::{FEW, TrimError};
+use super::error::TrimError;
+use super::lacking::lacking;
 use super::least_change::Change;
-use super::point::{Here, TOLERANCE, few};
+use super::newton::Newton;
+use super::point::Here;
 use super::steady::{About, Steady};
 use super::trimmed::Trimmed;
 use crate::bodies::linearization::coordinated::Coordinated;
 use crate::bodies::linearization::matrices::Linearized;
-use crate::bodies::linearization::tangent;
 use crate::state::Coordinates as _;
 
 /// Steady motions and equilibria of bodies and systems with `outputs: [linearization]`.
@@ -56,16 +55,18 @@ pub trait Trim<const STATES: usize, const INPUTS: usize>: Coordinated<STATES, IN
         Self: Sized,
     {
         Search {
-            steady: Steady {
-                body: self,
-                time: 0.0,
-                turning: None,
-                changing: [false; STATES],
-                conditions: (),
+            newton: Newton {
+                steady: Steady {
+                    body: self,
+                    time: 0.0,
+                    turning: None,
+                    changing: [false; STATES],
+                    conditions: (),
+                },
+                state: state.clone(),
+                input: Self::components(&Self::Input::default()),
+                free: Change::zero(),
             },
-            state: state.clone(),
-            input: Self::components(&Self::Input::default()),
-            free: Change::zero(),
             unknown: None,
         }
     }
@@ -76,38 +77,35 @@ impl<B: Coordinated<N, M>, const N: usize, const M: usize> Trim<N, M> for B {}
 /// A search for a steady motion, [`Trim::trim`].
 #[must_use = "a search begins with `solve`"]
 pub struct Search<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> {
-    steady: Steady<'b, B, C, N>,
-    state: B::State,
-    input: [f64; M],
-    /// One for free quantities, zero for others.
-    free: Change<N, M>,
+    newton: Newton<'b, B, C, N, M>,
     unknown: Option<&'static str>,
 }
 
 impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, C, N, M> {
     /// The initial input, whose values also stand for held components; zero by default.
-    pub fn input(self, input: &B::Input) -> Self {
-        let input = B::components(input);
-        Self { input, ..self }
+    pub fn input(mut self, input: &B::Input) -> Self {
+        self.newton.input = B::components(input);
+        self
     }
 
     /// The time \[s\]; zero by default.
     pub fn at(mut self, time: f64) -> Self {
-        self.steady.time = time;
+        self.newton.steady.time = time;
         self
     }
 
     /// The quantities that may change, by their names in [`Linearized::STATES`] and
     /// [`Linearized::INPUTS`]; or a whole vector, as `"attitude"`. If there are more than the
     /// equations determine, the change from the start is least in mean square, each unknown
-    /// weighted by its effect.
+    /// weighted by its effect. A quantity changes only from where it has an effect to first order:
+    /// the speed of a rotor whose thrust is its square needs a start other than zero.
     pub fn free<const K: usize>(mut self, names: [&'static str; K]) -> Self {
         let states = <B::Linearization as Linearized<N, M>>::STATES;
         let inputs = <B::Linearization as Linearized<N, M>>::INPUTS;
         for name in names {
             let mut is_known = false;
             let known = states.iter().chain(&inputs);
-            for (to, known) in self.free.iter_mut().zip(known) {
+            for (to, known) in self.newton.free.iter_mut().zip(known) {
                 if is_of(known, name) {
                     *to = 1.0;
                     is_known = true;
@@ -128,10 +126,10 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
     /// The turn is steady if the loads rotate as well: for example a turn about the vertical, under
     /// weight.
     pub fn turning(mut self, angular_velocity: impl Into<Vector3<f64>>) -> Self {
-        self.steady.turning = Some(angular_velocity.into());
+        self.newton.steady.turning = Some(angular_velocity.into());
         for (place, kind) in B::PLACES.iter().enumerate() {
             if kind.turns() {
-                self.free.state[place + B::PLACES.len()] = 1.0;
+                self.newton.free.state[place + B::PLACES.len()] = 1.0;
             }
         }
         self
@@ -147,7 +145,7 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
             let rates = states.iter().enumerate().skip(B::PLACES.len());
             let mut is_known = false;
             for (row, _) in rates.filter(|(_, known)| is_of(known, name)) {
-                self.steady.changing[row] = true;
+                self.newton.steady.changing[row] = true;
                 is_known = true;
             }
             if !is_known {
@@ -164,226 +162,119 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         name: &'static str,
         value: F,
     ) -> Search<'b, B, Condition<C, F>, N, M> {
-        let Steady {
-            body,
-            time,
-            turning,
-            changing,
-            conditions: others,
-        } = self.steady;
+        let Newton {
+            steady,
+            state,
+            input,
+            free,
+        } = self.newton;
+        let conditions = Condition {
+            others: steady.conditions,
+            name,
+            value,
+        };
         Search {
-            steady: Steady {
-                body,
-                time,
-                turning,
-                changing,
-                conditions: Condition {
-                    others,
-                    name,
-                    value,
+            newton: Newton {
+                steady: Steady {
+                    body: steady.body,
+                    time: steady.time,
+                    turning: steady.turning,
+                    changing: steady.changing,
+                    conditions,
                 },
+                state,
+                input,
+                free,
             },
-            state: self.state,
-            input: self.input,
-            free: self.free,
             unknown: self.unknown,
         }
     }
 
-    /// Runs Newton's method, with steps that are halved until they reduce the residual.
+    /// Runs Newton's method, with steps that are halved until they reduce the residual. They continue
+    /// to rounding. The motion counts as steady if each acceleration, and each rate of a user-defined
+    /// state, is below the sum of
+    ///
+    /// - 1e-9 times the largest term that it sums, and
+    /// - the effect of rounding on state and input: of 64 units of rounding of their largest values in
+    ///   the search, for positions and angles of no less than 1 m and 1 rad.
+    ///
+    /// The terms of constraints and of conditions are not known: derivatives times values are used
+    /// in their place, for positions and angles times 1 m and 1 rad.
+    ///
+    /// A solution is refused if an acceleration has no value there: if it varies within the rounding
+    /// of a free quantity by a tenth of its terms, and a million times as much as at the start.
     ///
     /// # Errors
     /// [`TrimError`]: the residual, and which quantities would have to be free or changing.
-    pub fn solve(mut self) -> Result<Trimmed<B, N, M>, TrimError>
+    pub fn solve(self) -> Result<Trimmed<B, N, M>, TrimError>
     where
         C: Conditions<B::State, B::Input>,
     {
         if let Some(name) = self.unknown {
             return Err(TrimError::Unknown { name });
         }
-        if self.steady.turning.is_some() && !B::PLACES.iter().any(|place| place.turns()) {
+        let mut newton = self.newton;
+        let Steady {
+            body,
+            time,
+            turning,
+            ..
+        } = newton.steady;
+        if turning.is_some() && !B::PLACES.iter().any(|place| place.turns()) {
             return Err(TrimError::NothingTurns);
         }
-        if !self.is_finite() {
+        if !is_finite(&newton) {
             return Err(TrimError::NotFinite { load: None });
         }
-        let start = self.start();
+        let start = newton.start();
         if start.about.rows.is_full() || start.about.kept.len() > N {
             return Err(TrimError::TooMany);
         }
         if !start.worst.is_finite() {
-            let Steady { body, time, .. } = self.steady;
             let load = body.lost_load(time, &start.state, &B::input(start.input));
             return Err(TrimError::NotFinite { load });
         }
-        let end = self.nearest(start);
-        if end.worst <= TOLERANCE {
-            return Ok(self.trimmed(end));
+        let residual = start.residual();
+        let end = newton.end(start);
+        if end.is_steady() {
+            return Ok(trimmed(end.here, &newton.free));
         }
-        Err(self.lacking(&end))
+        Err(lacking(&mut newton, residual, &end))
     }
+}
 
-    /// Whether all given numbers are.
-    fn is_finite(&self) -> bool {
-        let (coordinates, turning) = (self.state.coordinates(), self.steady.turning);
-        let turning = turning.unwrap_or_default();
-        let numbers = coordinates.as_ref().iter().chain(&self.input);
-        let mut all = numbers.chain(&turning).chain([&self.steady.time]);
-        all.all(|number| number.is_finite())
+/// Whether all given numbers are.
+fn is_finite<B: Coordinated<N, M>, C, const N: usize, const M: usize>(
+    newton: &Newton<'_, B, C, N, M>,
+) -> bool {
+    let coordinates = newton.state.coordinates();
+    let turning = newton.steady.turning.unwrap_or_default();
+    let numbers = coordinates.as_ref().iter().chain(&newton.input);
+    let mut all = numbers.chain(&turning).chain([&newton.steady.time]);
+    all.all(|number| number.is_finite())
+}
+
+fn trimmed<B: Coordinated<N, M>, const N: usize, const M: usize>(
+    here: Here<B, N, M>,
+    free: &Change<N, M>,
+) -> Trimmed<B, N, M> {
+    let least = here.least(free);
+    let About {
+        rows, kept, matrix, ..
+    } = &here.about;
+    let mut constraints = SMatrix::<f64, N, N>::zeros();
+    for (to, row) in rows.list()[kept.clone()].iter().enumerate() {
+        constraints.set_row(to, &row.equation.by.state.transpose());
     }
-
-    fn start(&self) -> Here<B, N, M>
-    where
-        C: Conditions<B::State, B::Input>,
-    {
-        Here::of(&self.steady, self.state.clone(), self.input)
-    }
-
-    /// Where the steps end.
-    fn nearest(&self, mut here: Here<B, N, M>) -> Here<B, N, M>
-    where
-        C: Conditions<B::State, B::Input>,
-    {
-        for _ in 0..STEPS {
-            if here.worst <= 4.0 * f64::EPSILON {
-                break;
-            }
-            match self.step(here) {
-                ControlFlow::Continue(nearer) => here = nearer,
-                ControlFlow::Break(last) => return last,
-            }
-        }
-        here
-    }
-
-    /// A step that reduces the residual; or the end, if there is none.
-    fn step(&self, here: Here<B, N, M>) -> ControlFlow<Here<B, N, M>, Here<B, N, M>>
-    where
-        C: Conditions<B::State, B::Input>,
-    {
-        let change = here.least(&self.free).change;
-        let angles = B::PLACES.iter().zip(change.state.iter());
-        let angles = angles.filter(|(place, _)| place.is_angle());
-        let turn = angles.map(|(_, turn)| turn.abs()).fold(0.0, f64::max);
-        let mut part = if turn > TURN { TURN / turn } else { 1.0 };
-        let merit = here.merit(&here.sizes);
-        for _ in 0..HALVINGS {
-            let input = core::array::from_fn(|i| here.input[i] + part * change.input[i]);
-            let state = tangent::moved(&here.state, &(change.state * part));
-            let there = Here::of(&self.steady, state, input);
-            if there.merit(&here.sizes) < merit {
-                let is_rounding = here.worst <= TOLERANCE && there.worst > 0.5 * here.worst;
-                return if is_rounding {
-                    ControlFlow::Break(there)
-                } else {
-                    ControlFlow::Continue(there)
-                };
-            }
-            part *= 0.5;
-        }
-        ControlFlow::Break(here)
-    }
-
-    fn trimmed(&self, here: Here<B, N, M>) -> Trimmed<B, N, M> {
-        let least = here.least(&self.free);
-        let About {
-            rows, kept, matrix, ..
-        } = &here.about;
-        let mut constraints = SMatrix::<f64, N, N>::zeros();
-        for (to, row) in rows.list()[kept.clone()].iter().enumerate() {
-            constraints.set_row(to, &row.equation.by.state.transpose());
-        }
-        let free = self.free.iter().filter(|free| *free > 0.0).count();
-        Trimmed {
-            state: here.state,
-            input: B::input(here.input),
-            matrix: *matrix,
-            rate: here.about.rate,
-            constraints,
-            undetermined: free - least.rank,
-            linearization: here.about.linearization,
-        }
-    }
-
-    /// Why the steps ended here, and what to do: free some inputs if that helps; otherwise let
-    /// states change; otherwise what helps to first order.
-    fn lacking(&mut self, end: &Here<B, N, M>) -> TrimError
-    where
-        C: Conditions<B::State, B::Input>,
-    {
-        let residual = end.residual();
-        let missing = self.missing(end);
-        let given = self.free.input;
-        self.free.input.fill(1.0);
-        let there = self.nearest(self.start());
-        if there.worst <= TOLERANCE {
-            let effects = there.effects();
-            let inputs = <B::Linearization as Linearized<N, M>>::INPUTS;
-            let changes = (0..M).map(|i| {
-                let change = (there.input[i] - self.input[i]).abs() * (1.0 - given[i]);
-                (inputs[i], change * effects.input[i])
-            });
-            let held = few(changes);
-            return TrimError::Unbalanced { residual, held };
-        }
-        self.drifting()
-            .map_or(missing, |states| TrimError::Drifting { residual, states })
-    }
-
-    /// What the free quantities lack, to first order.
-    fn missing(&self, here: &Here<B, N, M>) -> TrimError {
-        let residual = here.residual();
-        let least = here.least(&self.free);
-        // a solution that needs large rotations is not found
-        let mut free = self.free;
-        for (place, kind) in B::PLACES.iter().enumerate() {
-            if kind.is_angle() && least.change.state[place].abs() > 10.0 * TURN {
-                free.state[place] = 0.0;
-            }
-        }
-        let least = here.least(&free);
-        if least.left < 0.1 * here.merit(&here.sizes) {
-            return TrimError::NotConverged { residual };
-        }
-        let states = <B::Linearization as Linearized<N, M>>::STATES;
-        let inputs = <B::Linearization as Linearized<N, M>>::INPUTS;
-        let names = states.into_iter().chain(inputs);
-        let held = few(names.zip(least.helps.iter()));
-        TrimError::Unbalanced { residual, held }
-    }
-
-    /// The user-defined states without whose equations the motion is steady; all of these are needed.
-    /// Those that are held come first: nothing but their equations was asked of the free ones.
-    fn drifting(&mut self) -> Option<[Option<&'static str>; FEW]>
-    where
-        C: Conditions<B::State, B::Input>,
-    {
-        let (free, changing) = (self.free.state, self.steady.changing);
-        let own = |is_free: bool| {
-            let rows = 2 * B::PLACES.len()..N;
-            rows.filter(move |row| !changing[*row] && (free[*row] > 0.0) == is_free)
-        };
-        let own = own(true).chain(own(false));
-        for row in own.clone() {
-            self.steady.changing[row] = true;
-        }
-        if !self.is_solved() {
-            return None;
-        }
-        let needed = own.filter(|row| {
-            self.steady.changing[*row] = false;
-            self.steady.changing[*row] = !self.is_solved();
-            self.steady.changing[*row]
-        });
-        let states = <B::Linearization as Linearized<N, M>>::STATES;
-        Some(few(needed.map(|row| (states[row], 1.0))))
-    }
-
-    fn is_solved(&self) -> bool
-    where
-        C: Conditions<B::State, B::Input>,
-    {
-        self.nearest(self.start()).worst <= TOLERANCE
+    let free = free.iter().filter(|free| *free > 0.0).count();
+    Trimmed {
+        state: here.state,
+        input: B::input(here.input),
+        matrix: *matrix,
+        rate: here.about.rate,
+        constraints,
+        undetermined: free - least.rank,
+        linearization: here.about.linearization,
     }
 }
 
@@ -392,12 +283,3 @@ fn is_of(component: &str, name: &str) -> bool {
     let rest = component.strip_prefix(name);
     rest.is_some_and(|rest| matches!(rest, "" | "_x" | "_y" | "_z"))
 }
-
-/// The limit of Newton steps: near a solution about six are needed.
-const STEPS: usize = 100;
-
-/// The limit of halvings of a step that does not reduce the residual.
-const HALVINGS: usize = 40;
-
-/// The largest angle of a step \[rad\]: beyond it, sines are far from linear.
-const TURN: f64 = 1.0;

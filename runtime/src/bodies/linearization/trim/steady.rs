@@ -61,6 +61,10 @@ pub struct Asked<const N: usize, const M: usize> {
     /// Whether it is an equation of an angle, for those of a coordinate; equations with the same
     /// unit are compared.
     pub is_angle: Option<bool>,
+    /// Its row in the tangent space, unless it is a constraint or a condition.
+    pub row: Option<usize>,
+    /// The size of its terms, if it is known.
+    pub terms: Option<f64>,
     pub equation: Equation<N, M>,
 }
 
@@ -70,6 +74,8 @@ impl<const N: usize, const M: usize> Asked<N, M> {
         Self {
             name,
             is_angle: None,
+            row: None,
+            terms: None,
             equation: Equation {
                 value,
                 by: Change::zero(),
@@ -135,7 +141,8 @@ impl<B, C, const N: usize> Steady<'_, B, C, N> {
                 input: SVector::from(components.map(f64::abs)),
             },
         };
-        let excess = self.excess(&values, &mut about);
+        let mut terms = SVector::from(self.body.terms(self.time, state, &input));
+        let excess = self.excess(&values, &mut about, &mut terms);
         let places = B::PLACES.len();
         for row in 0..N {
             let is_steady = row >= places && !self.changing[row];
@@ -145,9 +152,13 @@ impl<B, C, const N: usize> Steady<'_, B, C, N> {
                     input: b.row(row).transpose(),
                 };
                 let value = excess[row];
+                let terms = terms[row];
                 about.rows.push(Asked {
                     name: <B::Linearization as Linearized<N, M>>::STATES[row],
                     is_angle: (row < 2 * places).then(|| B::PLACES[row % places].is_angle()),
+                    row: Some(row),
+                    // where a slope has no value, that of the residual remains
+                    terms: Some(if terms.is_finite() { terms } else { 0.0 }),
                     equation: Equation { value, by },
                 });
             }
@@ -159,11 +170,13 @@ impl<B, C, const N: usize> Steady<'_, B, C, N> {
         about
     }
 
-    /// The rate of a state minus that of the turn of the world; likewise A.
+    /// The rate of a state minus that of the turn of the world; likewise A. `terms` becomes the
+    /// size of the terms of that difference.
     fn excess<const M: usize>(
         &self,
         values: &SVector<f64, N>,
         about: &mut About<B::Linearization, N, M>,
+        terms: &mut SVector<f64, N>,
     ) -> SVector<f64, N>
     where
         B: Coordinated<N, M>,
@@ -173,6 +186,10 @@ impl<B, C, const N: usize> Steady<'_, B, C, N> {
             return excess;
         };
         let (cross, a) = (turning.cross_matrix(), about.matrix);
+        let mut subtract = |row: usize, turn: f64| {
+            excess[row] -= turn;
+            terms[row] = terms[row].max(turn.abs());
+        };
         for (row, place) in B::PLACES.iter().enumerate() {
             match place {
                 Place::Position(part) | Place::Axis(part) => {
@@ -183,15 +200,15 @@ impl<B, C, const N: usize> Steady<'_, B, C, N> {
                     for other in 0..size {
                         let turn = cross[(*part, other)];
                         for first in [place, place + B::PLACES.len()] {
-                            excess[first + part] -= turn * values[first + other];
+                            subtract(first + part, turn * values[first + other]);
                             if is_seen || first > place {
                                 about.matrix[(first + part, first + other)] -= turn;
                             }
                         }
                     }
                 }
-                Place::Attitude(_) => excess[row] -= values[row],
-                Place::Heading => excess[row] -= turning.z,
+                Place::Attitude(_) => subtract(row, values[row]),
+                Place::Heading => subtract(row, turning.z),
                 Place::Relative(_) | Place::Angle | Place::Length => {}
             }
         }

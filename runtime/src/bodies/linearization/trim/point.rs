@@ -107,11 +107,12 @@ impl<B: Coordinated<N, M>, const N: usize, const M: usize> Here<B, N, M> {
         effects
     }
 
-    /// The equations that are off most.
+    /// The equations that do not hold, those that are off most.
     pub fn residual(&self) -> [Option<Off>; FEW] {
-        few(self.off().map(|(row, off)| {
+        let pairs = self.off().zip(self.scales.as_flattened());
+        few(pairs.filter_map(|((row, off), scale)| {
             let (name, by) = (row.name, row.equation.value);
-            (Off { name, by }, off)
+            (off > TOLERANCE).then(|| (Off { name, by }, relative(by, *scale)))
         }))
     }
 

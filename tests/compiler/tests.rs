@@ -15,6 +15,7 @@ mod eigen;
 mod equations;
 mod expansions;
 mod files;
+mod fractions_of_a_turn;
 mod from_root;
 mod jumps;
 mod magnitudes;

@@ -2,11 +2,13 @@
 //! identities.
 //!
 //! The residue is computed along with the value, modulo a prime. Pi and the values of functions
-//! have random residues, up to `sin^2 + cos^2 = 1`. Those of fractions of a turn are powers of one
-//! root of unity. The root of a rational number is the product of the roots of its prime factors,
-//! whose signs no identity distinguishes. A number is zero if its residue is zero and its value may
-//! be: its residue is zero by an identity in all of these, except with probability 2^-100. A value
-//! that has canceled down to its error, without being proved zero, is computed again with more bits.
+//! have random residues, up to `sin^2 + cos^2 = 1`. The root of a rational number is the product of
+//! the roots of its prime factors. Sines and cosines of fractions of a turn are parts of powers of
+//! one root of unity, which agrees with the roots of the primes that its order contains; no identity
+//! distinguishes the signs of the other roots. A number is zero if its residue is zero and its value
+//! may be: its residue is zero by an identity in all of these, except with probability 2^-100. A
+//! value that has canceled down to its error, without being proved zero, is computed again with more
+//! bits.
 
 use core::cell::RefCell;
 use std::rc::Rc;

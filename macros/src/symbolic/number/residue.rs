@@ -165,36 +165,53 @@ const OF_128: u128 = 2 * BELOW;
 /// Degrees with up to five decimals are such fractions. The order divides `PRIME + 1`; therefore
 /// the reciprocal of a power is its conjugate, and sines and cosines are real.
 pub(super) const ORDER: u64 = (1 << 12) * 27 * 78_125 * 7 * 11 * 13;
-const FACTORS: [u64; 6] = [2, 3, 5, 7, 11, 13];
+pub(super) const FACTORS: [u64; 6] = [2, 3, 5, 7, 11, 13];
 
-/// The root of unity for these roots of two, three and five, if it exists.
-pub(super) fn root_of_unity([of_two, of_three, of_five]: [Residue; 3]) -> Option<Residue> {
+/// The root of unity z that agrees with the roots of [`FACTORS`], if it exists. These roots are sums
+/// of its powers (Gauss sums); all other roots of integers are independent of it:
+///
+/// ```text
+/// z^(ORDER / 4) = i,   z^(ORDER / 8) + z^(-ORDER / 8) = sqrt(2),
+/// sum over k of (k / p) z^(k ORDER / p) = sqrt(p), or i sqrt(p) if p = 3 modulo 4
+/// ```
+pub(super) fn root_of_unity(roots: [Residue; FACTORS.len()]) -> Option<Residue> {
     let is_primitive = |root: &Residue| {
         let is_one = |factor: &u64| on_circle(*root, ORDER / factor) == Residue::ONE;
         !FACTORS.iter().any(is_one)
     };
-    let roots = (0_u8..64).map(|seed| {
+    let candidates = (0_u8..64).map(|seed| {
         let any = Residue::stand_in(&seed) + I * Residue::stand_in(&(seed, 1));
         let of_one = any.conjugate() * any.reciprocal()?;
         let exponent = (PRIME + 1) / u128::from(ORDER);
         Some(power(of_one, exponent, Residue::ONE, Residue::mul))
     });
-    let root = roots.flatten().find(is_primitive)?;
-    // cos(pi / 4) = sqrt(2) / 2,  cos(pi / 6) = sqrt(3) / 2,  cos(2 pi / 5) = (sqrt(5) - 1) / 4
+    let root = candidates.flatten().find(is_primitive)?;
     let agrees = |root: &Residue| {
-        let twice_cosine = |part: u64| {
-            let cosine = Residue::real(on_circle(*root, ORDER / part).real);
-            cosine + cosine
-        };
-        let of_fifth = twice_cosine(5);
-        on_circle(*root, ORDER / 4) == I
-            && twice_cosine(8) == of_two
-            && twice_cosine(12) == of_three
-            && of_fifth + of_fifth + Residue::ONE == of_five
+        let [of_two, others @ ..] = roots;
+        let eighth = on_circle(*root, ORDER / 8);
+        let mut odd = FACTORS[1..].iter().zip(others);
+        eighth * eighth == I
+            && eighth + eighth.conjugate() == of_two
+            && odd.all(|(prime, of_prime)| {
+                let turned = if prime % 4 == 1 { Residue::ONE } else { I };
+                gauss_sum(on_circle(*root, ORDER / prime), *prime) == turned * of_prime
+            })
     };
     let is_coprime = |count: &u64| !FACTORS.iter().any(|of| count.is_multiple_of(*of));
-    let powers = (1..1 << 12).filter(is_coprime);
+    let powers = (1..1 << 16).filter(is_coprime);
     powers.map(|count| on_circle(root, count)).find(agrees)
+}
+
+/// The sum of the powers of a root of unity of prime order, minus those whose exponent is no square
+/// modulo the prime.
+fn gauss_sum(root: Residue, prime: u64) -> Residue {
+    let is_square = |count: u64| (1..prime).any(|one| one * one % prime == count);
+    let (mut sum, mut power) = (Residue::ZERO, Residue::ONE);
+    for count in 1..prime {
+        power = power * root;
+        sum = sum + if is_square(count) { power } else { -power };
+    }
+    sum
 }
 
 const I: Residue = Residue {

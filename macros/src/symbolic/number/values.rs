@@ -7,7 +7,7 @@ use super::exact::Number;
 use super::float::Float;
 use super::function::Function;
 use super::irrational::root_residue;
-use super::residue::{ORDER, Residue, on_circle, root_of_unity};
+use super::residue::{FACTORS, ORDER, Residue, on_circle, root_of_unity};
 
 /// Powers with integer exponents up to this one are multiplied out; others are exponentials.
 const POWERS: i64 = 1 << 10;
@@ -20,8 +20,9 @@ const ROOTS: usize = 12;
 
 thread_local! {
     static ROOT_OF_UNITY: Option<Residue> = {
-        let [two, three, five] = [2, 3, 5].map(|of| root_residue(&Number::integer(of)));
-        root_of_unity([two?, three?, five?])
+        let root = |of: u64| root_residue(&Number::from(RBig::from(of)));
+        let [two, three, five, seven, eleven, thirteen] = FACTORS.map(root);
+        root_of_unity([two?, three?, five?, seven?, eleven?, thirteen?])
     };
 }
 

@@ -239,3 +239,45 @@ mod tests {
         assert!((computed.angular - expected).amax() < 1e-15); // two roundings
     }
 }
+
+/// Descriptions whose parts another macro passes on, as fragments of all kinds.
+mod fragments {
+    use newton_euler::prelude::*;
+
+    macro_rules! block {
+        ($v:vis $name:ident $exponent:literal $unit:expr, $mass:expr) => {
+            rigid_body!($v $name {
+                doc: "A block that falls.",
+                motion: translation,
+                mass: $mass * 1[$unit],
+                fields: [weight = mass * world(0, 0, -9.81[m / s ^ $exponent])],
+            });
+        };
+    }
+    block!(Block 2 kg, 1 + 2);
+
+    macro_rules! arm {
+        ($name:ident $joint:expr, $inertia:expr, $point:expr) => {
+            rigid_system!($name {
+                doc: "An arm.",
+                motion: planar,
+                bodies: [arm {
+                    inertia: $inertia,
+                    points: [o = $point]
+                }],
+                joints: [hinge = revolute(world(0, 0), arm.o)],
+                drives: [motor = 4[N * m].on($joint)],
+                outputs: [reactions($joint)],
+            });
+        };
+    }
+    arm!(Arm hinge, compose([point(1[kg]).at((2, 0)[m])]), (0, 0));
+
+    #[test]
+    fn are_as_if_written() {
+        let found = Block::default().acceleration(0.0, &Translation::default(), &());
+        assert_eq!(found.z.to_bits(), (-9.81_f64).to_bits());
+        let found = Arm::default().acceleration(0.0, &ArmState::default(), &());
+        assert_eq!(found.hinge.to_bits(), 1.0_f64.to_bits());
+    }
+}

@@ -25,6 +25,8 @@ pub struct Evidence<'a> {
 pub struct Required {
     pub name: String,
     pub position: Option<(Id, Id)>,
+    /// A cosine that is one, unless the assembly is another one.
+    pub facing: Option<Id>,
     pub velocity: (Id, Id),
 }
 
@@ -90,6 +92,19 @@ impl Evidence<'_> {
     /// Reports a given state that violates a constraint.
     fn check_closed(&self, check: &Check, known: &Known, errors: &mut Errors) -> Option<()> {
         for constraint in self.constraints {
+            let facing = constraint.facing.map(|cosine| self.evaluate(cosine, known));
+            if let Some(Exact::Number(cosine)) = facing
+                && cosine.to_f64() < 0.5
+            {
+                let (name, constraint) = (&check.name, &constraint.name);
+                return errors.report(
+                    check.claims.first()?.place,
+                    format!(
+                        "`{name}` has a state in which `{constraint}` is reversed: give one that assembles \
+                         the bodies as they are described"
+                    ),
+                );
+            }
             let velocity = (constraint.velocity, "in velocity");
             let position = constraint
                 .position

@@ -103,6 +103,7 @@ fn solve<S: Listed>(
     let constraints = constraints.map(|(constraint, _)| Required {
         name: constraint.name,
         position: constraint.position,
+        facing: constraint.facing,
         velocity: constraint.velocity,
     });
     let constraints: Vec<Required> = constraints.collect();

@@ -136,6 +136,14 @@ fn plates_slide_on_tables_of_params() {
             "{slope}: {found:?}"
         );
     }
+    // nearly upside down, the plate slides as far, and no digits are lost
+    for slope in [1e-3, 1e-6, 1e-8, 1e-12] {
+        let table = Table::new(TableParams { slope, up: -1.0 }).unwrap();
+        let found = table.acceleration(0.0, &TableState::default(), &()).table;
+        let expected = 9.81 * slope / f64::hypot(1.0, slope);
+        let found = found.linear.norm();
+        assert!((found / expected - 1.0).abs() < 1e-14, "{slope}: {found}");
+    }
     // no shortest rotation leads from z to its opposite
     let reversed = Table::new(TableParams {
         slope: 0.0,

@@ -16,7 +16,14 @@ const TYPES: [&str; 19] = [
 
 /// The path of the runtime, the name of the body, and the content of the braces.
 pub fn parse_head(tokens: TokenStream, errors: &mut Errors) -> Option<(Description, TokenStream)> {
-    let all: Vec<TokenTree> = tokens.into_iter().collect();
+    let mut all: Vec<TokenTree> = tokens.into_iter().collect();
+    // of another macro, such as `$v:vis`, which may be empty
+    if let [_, TokenTree::Group(passed_on), ..] = all.as_slice()
+        && passed_on.delimiter() == Delimiter::None
+    {
+        let inner = passed_on.stream();
+        all.splice(1..2, inner);
+    }
     let [TokenTree::Group(runtime), rest @ ..] = all.as_slice() else {
         return errors.report(
             Span::call_site(),

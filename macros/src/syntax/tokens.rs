@@ -278,3 +278,21 @@ pub fn ungrouped(value: &[TokenTree]) -> Cow<'_, [TokenTree]> {
     }
     value
 }
+
+/// Tokens in which those that another macro has passed on as one are as if they were written: single
+/// ones alone, several in parentheses.
+pub fn as_written(tokens: TokenStream) -> Vec<TokenTree> {
+    let tokens = tokens.into_iter().map(|token| {
+        let inner = ungrouped(core::slice::from_ref(&token));
+        match (&*inner, &token) {
+            ([single], _) => single.clone(),
+            (several, TokenTree::Group(group)) => {
+                let mut whole = Group::new(Delimiter::Parenthesis, stream(several));
+                whole.set_span(group.span());
+                TokenTree::Group(whole)
+            }
+            _ => token.clone(),
+        }
+    });
+    tokens.collect()
+}

@@ -7,7 +7,7 @@ use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use crate::errors::{Errors, Extent};
 
 use super::bare_unit::BareUnit;
-use super::tokens::group_beyond;
+use super::tokens::{as_written, group_beyond};
 use super::words::is_keyword;
 use crate::fraction::Fraction;
 
@@ -51,7 +51,7 @@ type Factors = Vec<(Ident, Fraction)>;
 
 /// `unit * unit / unit`, which must be the whole content of `around`.
 fn product(tokens: TokenStream, around: &Group, errors: &mut Errors) -> Option<Factors> {
-    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    let tokens = as_written(tokens);
     let mut rest = tokens.as_slice();
     let mut factors = power(&mut rest, around, errors)?;
     while let [operator, tail @ ..] = rest {

@@ -43,4 +43,30 @@ rigid_body!(Bead {
     checks: [beside = (acceleration.in_world().y == 0).given(position = world(1, 0, 0.9), velocity = world(0, 0, 0))],
 });
 
+// the slider is reversed in the last state
+rigid_system!(Slider {
+    motion: planar,
+    bodies: [
+        crank { mass: 1[kg], inertia: 1[kg * m ^ 2], points: [e = (0.1, 0)[m]] },
+        rod { mass: 1[kg], inertia: 1[kg * m ^ 2], points: [e = (0.3, 0)[m]] },
+        slider { mass: 1[kg], inertia: 1[kg * m ^ 2], points: [q = (0.1, 0)[m]] },
+    ],
+    joints: [
+        a = revolute(world(0, 0), crank.G),
+        b = revolute(crank.e, rod.G),
+        c = revolute(rod.e, slider.q),
+        d = prismatic(world(0, 0), slider.q, world(1, 0)),
+    ],
+    checks: [
+        stretched = (slider.G.position().in_world().x == 0.3[m]).given(
+            a.angle = 0, b.angle = 0, c.angle = 0,
+            a.angular_velocity = 0, b.angular_velocity = 0, c.angular_velocity = 0,
+        ),
+        reversed = (slider.G.position().in_world().x == 0.5[m]).given(
+            a.angle = 0, b.angle = 0, c.angle = 180[deg],
+            a.angular_velocity = 0, b.angular_velocity = 0, c.angular_velocity = 0,
+        ),
+    ],
+});
+
 fn main() {}

@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
 use crate::errors::{Errors, similar};
 use crate::syntax::expression::Expression;
-use crate::syntax::tokens::{Entry, split, start, stream};
+use crate::syntax::tokens::{Entry, split, start, stream, ungrouped};
 
 use super::System;
 
@@ -84,7 +84,7 @@ fn joints(group: &Group, errors: &mut Errors) -> Vec<Ident> {
     }
     let mut names = Vec::new();
     for entry in split(group.stream(), Entry::Declared, errors) {
-        match entry.as_slice() {
+        match &*ungrouped(&entry) {
             [TokenTree::Ident(name)] => names.push(name.clone()),
             [TokenTree::Ident(_), first, ..] | [first, ..] => {
                 errors.push(

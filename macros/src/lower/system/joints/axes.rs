@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::errors::Errors;
 use crate::model::{Axes, Dimension, Drawn, Frame, JointKind};
-use crate::symbolic::{Components, Id};
+use crate::symbolic::{Comparison, Components, Id};
 use crate::syntax::Expression;
 
 use super::drawing::in_drawing;
@@ -249,15 +249,24 @@ impl Reader<'_> {
         if sizes[nearest] < 0.0 {
             (axis, second) = (graph.negate_vector(axis), graph.negate_vector(second));
         }
-        // v - (v . n) / (1 + e . n) (e + n), for v perpendicular to e
-        let one = graph.one();
+        // v - (v . n) (e + a / (1 + e . n)), for v perpendicular to e, where a is the part of n across e;
+        // if n is nearly opposite to e, 1 + e . n cancels, and is a^2 / (1 - e . n)
+        let (one, zero) = (graph.one(), graph.zero());
         let along = graph.dot(axis, normal);
-        let more = graph.add(one, along);
-        let both = graph.add_vectors(axis, normal);
-        [first, second].map(|v| {
-            let lean = graph.dot(v, normal);
+        let [more, less] = [graph.add(one, along), graph.subtract(one, along)];
+        let leans = [first, second].map(|v| graph.dot(v, normal));
+        let squares = graph.inner(leans, leans);
+        let is_near = graph.compare(Comparison::LessOrEqual, zero, along);
+        let opposite = graph.divide(squares, less);
+        let more = graph.select(is_near, more, opposite);
+        let parts = [(first, leans[0]), (second, leans[1])];
+        let [one, other] = parts.map(|(v, lean)| graph.scale_vector(lean, v));
+        let across = graph.add_vectors(one, other);
+        parts.map(|(v, lean)| {
             let share = graph.divide(lean, more);
-            let less = graph.scale_vector(share, both);
+            let along = graph.scale_vector(lean, axis);
+            let across = graph.scale_vector(share, across);
+            let less = graph.add_vectors(along, across);
             graph.subtract_vectors(v, less)
         })
     }

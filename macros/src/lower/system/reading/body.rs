@@ -243,8 +243,7 @@ impl<'a> Reader<'a> {
             for definition in rest {
                 lowering.definition(definition, body, &defaults, mass);
             }
-            let is_idle = body.is_frame
-                || !turns && body.inertia.is_none() && body.composition.is_none();
+            let is_idle = body.is_frame || !turns && body.inertia.is_none();
             let inertia = if is_idle {
                 Some(Inertia::Absent)
             } else {

@@ -102,9 +102,9 @@ pub fn off(value: f64, cosine: f64) -> f64 {
     if cosine < 0.5 { 1.0 - cosine } else { value }
 }
 
-/// A value as a fraction of its size; zero is zero at any size.
+/// A value as a fraction of its size; zero is zero at any size, and so is what underflows beside it.
 fn relative(value: f64, size: f64) -> f64 {
-    if value == 0.0 {
+    if value.abs() <= f64::MIN_POSITIVE / f64::EPSILON {
         0.0
     } else {
         value.abs() / size
@@ -169,18 +169,21 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
         let system = rows(state);
         let mut values = [None; N];
         let mut worst = (0.0_f64, "", 0.0);
+        // if all velocities have to vanish, what is left is large among its own terms
+        let mut is_left = false;
         for ((row, seen), kept) in system.iter().zip(&mut sizes).zip(&mut values) {
             let Some((value, size)) = measured(row) else {
                 continue;
             };
             *seen = seen.max(size);
             *kept = Some(value);
+            is_left |= pace == Pace::Velocity && relative(value, size) > Inconsistent::ROUNDING;
             let relative = relative(value, *seen);
             if relative.is_nan() || relative > worst.0 {
                 worst = (relative, row.name, value);
             }
         }
-        if worst.0 <= 4.0 * f64::EPSILON {
+        if worst.0 <= 4.0 * f64::EPSILON && !is_left {
             return assembled(&system, pace);
         }
         let is_last = step == steps;

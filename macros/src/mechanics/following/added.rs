@@ -40,7 +40,9 @@ impl Added {
         let open = system.joints.iter().filter(|joint| !joint.is_driven());
         let symbols = open.flat_map(TreeJoint::accelerations);
         let symbols: Vec<Vec<Id>> = built.tree.by_link(symbols);
-        let masses: Vec<Id> = system.bodies.iter().map(|body| body.mass).collect();
+        // a frame has none
+        let masses = system.bodies.iter().map(|body| body.mass);
+        let masses: Vec<Id> = masses.filter(|mass| !work.graph.is_zero(*mass)).collect();
         let known = (&masses[..], &system.defaults);
         let mut properties = Vec::new();
         let mut links: Vec<Option<AddedToLink>> = Vec::new();

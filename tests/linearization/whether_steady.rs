@@ -315,3 +315,28 @@ fn an_undamped_pendulum_is_not_stable() {
         }
     }
 }
+
+rigid_body!(Far {
+    doc: "A body on a spring whose other end is far away, and a push.",
+    motion: planar_translation,
+    params: [push = 50[N]],
+    mass: 1[kg],
+    forces: [
+        spring = -1e4[N / m] * (position - world(6.4e6, 0)[m]),
+        pushed = world(push, 0),
+    ],
+    outputs: [linearization],
+});
+
+/// Terms that cancel to a part in 10⁹ of themselves hide no load that is far above their rounding.
+#[test]
+fn terms_that_cancel_hide_no_load() {
+    let mut start = PlanarTranslation::default();
+    start.position.x = 6.4e6;
+    let found = Far::default().trim(&start).solve();
+    let error = found.expect_err("it accelerates by 50 m/s²").to_string();
+    assert!(error.contains("`velocity_x` is off by 50"), "{error}");
+    let rest = Far::default().trim(&start).free(["position_x"]).solve();
+    let rest = rest.expect("a rest nearby").state;
+    assert!((rest.position.x - 6.4e6 - 0.005).abs() < 1e-8);
+}

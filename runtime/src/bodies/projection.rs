@@ -267,7 +267,9 @@ fn is_rounding<R, const N: usize>(
     let most = all.map(across).fold(0.0, f64::max);
     let allowed = |own: usize| Inconsistent::TOLERANCE * libm::sqrt(coupling(own) * most);
     let mut all = values.iter().enumerate();
-    all.all(|(own, value)| value.is_none_or(|value| value.abs() <= allowed(own)))
+    all.all(|(own, value)| {
+        value.is_none_or(|value| value.is_finite() && value.abs() <= allowed(own))
+    })
 }
 
 /// Typical couplings for rows of these sizes: a row may be flat where all hold.

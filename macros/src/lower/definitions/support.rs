@@ -12,8 +12,11 @@ impl Lowering<'_> {
         let word = motion.word.to_string();
         let found = self.read_support(motion.support.as_ref()?, &word, defaults);
         // the error is reported: some other support stands in, so that everything else is read
+        let is_reported = found.is_none();
         let support = found.unwrap_or_else(|| self.any_support());
         self.state.hold(self.work, support);
+        // no inertia is wrong because of it
+        self.state.swings |= is_reported;
         Some(())
     }
 

@@ -74,8 +74,12 @@ impl Reader<'_> {
             Some(axis) if !self.system.is_planar => work.graph.cross(*axis, written.pin),
             _ => written.pin,
         };
+        // the inertia of a frame on a joint is that of the body, about one more axis
+        let is_on_frame = written
+            .carrier
+            .is_some_and(|carrier| self.massless[carrier]);
         let state = State {
-            swings: kind.is_hinge() && !work.graph.is_zero_vector(&arm),
+            swings: kind.is_hinge() && !is_on_frame && !work.graph.is_zero_vector(&arm),
             position,
             velocity,
             acceleration,
@@ -93,7 +97,9 @@ impl Reader<'_> {
         self.turning[written.carried] = turns || is_carried;
         let freedoms = kind.freedoms(self.system.is_planar);
         let given = freedoms.iter().map(|freedom| written.given(*freedom));
-        let given = given.collect();
+        let given: Vec<_> = given.collect();
+        let moves = is_on_frame || given.iter().any(Option::is_none);
+        self.massless[written.carried] = drafts[written.carried].description.is_frame && moves;
         TreeJoint {
             connection: written.connection,
             frames,

@@ -161,10 +161,11 @@ impl<'a> Reader<'a> {
         for (name, value) in &names {
             draft.scope.define(name, *value);
         }
-        let mut state = draft
-            .state
-            .take()
-            .unwrap_or_else(|| still(draft.frame, self.time));
+        let mut state = draft.state.take().unwrap_or_else(|| State {
+            // its joint is reported: nothing follows from it for the inertia
+            swings: true,
+            ..still(draft.frame, self.time)
+        });
         let mut lowering = Lowering {
             work: &mut self.work,
             scope: &mut draft.scope,

@@ -25,6 +25,8 @@ pub struct Reader<'a> {
     pub is_inverse: bool,
     /// For each body, whether its joints let it rotate.
     pub turning: Vec<bool>,
+    /// Whether each body is a frame that moves by itself.
+    pub massless: Vec<bool>,
     pub time: Id,
     pub defaults: Defaults,
     /// The number of given derivatives of each input.
@@ -54,6 +56,7 @@ impl<'a> Reader<'a> {
             },
             is_inverse: outline.rank(INVERSE).is_some(),
             turning: vec![false; system.bodies.len()],
+            massless: vec![false; system.bodies.len()],
             motion: if system.is_planar { &PLANAR } else { &SPATIAL },
             time,
             defaults: Defaults::new(),

@@ -117,7 +117,10 @@ fn missing<B: Coordinated<N, M>, C, const N: usize, const M: usize>(
     if least.left < 0.1 * here.merit(&here.scales) {
         return TrimError::NotConverged { residual };
     }
-    let held = few(names::<B::Linearization, N, M>().zip(least.helps.iter()));
+    let is_held = newton.free.iter().map(|free| free == 0.0);
+    let helps = least.helps.iter().zip(is_held);
+    let helps = helps.map(|(help, is_held)| if is_held { help } else { 0.0 });
+    let held = few(names::<B::Linearization, N, M>().zip(helps));
     TrimError::Unbalanced { residual, held }
 }
 

@@ -57,7 +57,7 @@ where
 
     fn nearest(&self, mut here: Here<B, N, M>) -> Here<B, N, M> {
         for _ in 0..STEPS {
-            if here.worst <= 4.0 * f64::EPSILON {
+            if here.worst <= f64::EPSILON * TOLERANCE {
                 break;
             }
             match self.step(here) {

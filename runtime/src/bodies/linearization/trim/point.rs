@@ -9,7 +9,7 @@ use crate::bodies::linearization::coordinated::Coordinated;
 /// A residual is a failure above this fraction of its size: of the largest term that the equation
 /// sums. The steps continue to rounding in any case: this number decides only whether they
 /// succeeded.
-pub const TOLERANCE: f64 = 1e-9;
+pub const TOLERANCE: f64 = 1e-11;
 
 /// The rounding of a quantity, as a fraction of its largest value in the search; that of a position
 /// or an angle is no less than this part of 1 m or 1 rad. An equation may be off by its effect.

@@ -194,7 +194,7 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
     /// to rounding. The motion counts as steady if each acceleration, and each rate of a user-defined
     /// state, is below the sum of
     ///
-    /// - 1e-9 times the largest term that it sums, and
+    /// - 1e-11 times the largest term that it sums, and
     /// - the effect of rounding on state and input: of 64 units of rounding of their largest values in
     ///   the search, for positions and angles of no less than 1 m and 1 rad.
     ///

@@ -91,43 +91,38 @@ impl Evidence<'_> {
 
     /// Reports a given state that violates a constraint.
     fn check_closed(&self, check: &Check, known: &Known, errors: &mut Errors) -> Option<()> {
-        for constraint in self.constraints {
-            let facing = constraint.facing.map(|cosine| self.evaluate(cosine, known));
-            if let Some(Exact::Number(cosine)) = facing
-                && cosine.to_f64() < 0.5
-            {
-                let (name, constraint) = (&check.name, &constraint.name);
-                return errors.report(
-                    check.claims.first()?.place,
-                    format!(
-                        "`{name}` has a state in which `{constraint}` is reversed: give one that assembles \
-                         the bodies as they are described"
-                    ),
-                );
-            }
-            let velocity = (constraint.velocity, "in velocity");
-            let position = constraint
-                .position
-                .map(|position| (position, "in position"));
-            for ((value, size), level) in position.into_iter().chain([velocity]) {
-                let numbers = [value, size].map(|id| self.evaluate(id, known));
-                let [Exact::Number(value), Exact::Number(size)] = numbers else {
-                    continue;
-                };
-                let off = value.to_f64().abs();
-                if off > OPEN * size.to_f64() {
-                    let (name, constraint) = (&check.name, &constraint.name);
-                    return errors.report(
-                        check.claims.first()?.place,
-                        format!(
-                            "`{name}` has a state that violates `{constraint}` by {off:.1e} {level}: \
-                             give one that satisfies all constraints"
-                        ),
-                    );
-                }
-            }
+        let mut violations = self.constraints.iter();
+        let Some(violation) = violations.find_map(|one| self.violation(one, known)) else {
+            return Some(());
+        };
+        let name = &check.name;
+        errors.report(
+            check.claims.first()?.place,
+            format!(
+                "`{name}` has a state that {violation}: give one that satisfies all constraints"
+            ),
+        )
+    }
+
+    /// What a state does to a constraint, if that is known, and more than rounding a few digits does.
+    fn violation(&self, constraint: &Required, known: &Known) -> Option<String> {
+        let value = |id: Id| match self.evaluate(id, known) {
+            Exact::Number(number) => Some(number.to_f64()),
+            _ => None,
+        };
+        let name = &constraint.name;
+        let cosine = constraint.facing.and_then(value);
+        if cosine.is_some_and(|cosine| cosine < 0.5) {
+            return Some(format!("reverses `{name}`"));
         }
-        Some(())
+        let position = constraint.position.map(|sized| (sized, "position"));
+        let levels = position
+            .into_iter()
+            .chain([(constraint.velocity, "velocity")]);
+        levels.into_iter().find_map(|((gap, size), level)| {
+            let (gap, size) = (value(gap)?.abs(), value(size)?);
+            (gap > OPEN * size).then(|| format!("violates `{name}` by {gap:.1e} in {level}"))
+        })
     }
 
     /// Decides all claims of one check.

@@ -219,7 +219,7 @@ const I: Residue = Residue {
     imaginary: 1,
 };
 
-/// The residue of `e^(i angle)` for this many parts of a turn, of which it has [`ORDER`].
+/// The residue of `e^(i angle)` for an angle of this many parts; a turn has [`ORDER`] parts.
 pub(super) fn on_circle(root_of_unity: Residue, parts: u64) -> Residue {
     power(root_of_unity, parts.into(), Residue::ONE, Residue::mul)
 }

@@ -231,7 +231,7 @@ impl Number {
         }
     }
 
-    /// The sine or cosine of this many half turns, of which there are between none and one.
+    /// The sine or cosine of a number of half turns between zero and one.
     fn of_half_turns(half_turns: &Self, function: Function) -> Option<Self> {
         let angle = half_turns.clone() * Self::pi();
         let parts = half_turns.clone() * Self::from(RBig::from(ORDER / 2));

@@ -74,7 +74,7 @@ impl Reader<'_> {
             Some(axis) if !self.system.is_planar => work.graph.cross(*axis, written.pin),
             _ => written.pin,
         };
-        // the inertia of a frame on a joint is that of the body, about one more axis
+        // a frame has no inertia about its own joint, and that of a rod may vanish about this axis
         let is_on_frame = written
             .carrier
             .is_some_and(|carrier| self.massless[carrier]);

@@ -77,7 +77,7 @@ where
     let mut run = Fixed { method, step }.start(body, 0.0, start);
     Box::new(move |steps| {
         let end = run.time() + steps as f64 * step;
-        run.seek(end, end, &()).expect("finite");
+        run.seek(body, end, end, &()).expect("finite");
         run.state()
     })
 }

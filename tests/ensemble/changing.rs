@@ -41,6 +41,24 @@ macro_rules! agree {
                 let last = alone.unwrap_or_else(|error| *error.state());
                 assert_eq!(moved, last, "{index} {width:?}");
             }
+
+            // the same under a controller
+            let rest = bodies.iter().map(|_| Translation::default());
+            let params = bodies.iter().map(|body| *body.params());
+            let mut ensemble = Ensemble::<$kind<f64>>::with_params(params.zip(rest)).unwrap();
+            ensemble.set_width(width);
+            let motion = ensemble.integrate().method($method).starting_at(start);
+            let lost = motion.control(0.37, |_, _, _| ()).each_to(end).unwrap();
+            for (index, body) in bodies.iter().enumerate() {
+                let alone = body.integrate(&Translation::default()).method($method);
+                let alone = alone.starting_at(start).control(0.37, |_, _| ()).to(end);
+                let error = lost.iter().find(|one| one.index == index);
+                let error = error.map(|one| &one.error);
+                assert_eq!(alone.as_ref().err(), error, "{index} {width:?}");
+                let moved = ensemble.states().get(index);
+                let last = alone.unwrap_or_else(|error| *error.state());
+                assert_eq!(moved, last, "{index} {width:?}");
+            }
         }
     };
 }

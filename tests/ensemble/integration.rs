@@ -2,9 +2,7 @@
 
 use nalgebra::Vector3;
 use newton_euler::ensemble::{Ensemble, EnsembleError, OneByOne};
-use newton_euler::integrate::{
-    DormandPrince, DormandPrince8, Fixed, IntegrationError, Tolerant, Verner,
-};
+use newton_euler::integrate::{DormandPrince, DormandPrince8, Fixed, IntegrationError, Verner};
 use newton_euler::prelude::*;
 
 use crate::bodies;
@@ -79,11 +77,6 @@ fn controllers_and_errors() {
     assert!(ensemble.integrate().starting_at(2.0).to(2.0).is_ok());
 }
 
-const STEPS: Fixed<DormandPrince8> = Fixed {
-    method: DormandPrince8,
-    step: 0.05,
-};
-
 fn spinning() -> Ensemble<bodies::Turning<f64>> {
     let spinning = |i: u8| Rotation {
         angular_velocity: Vector3::new(0.1, 1.0 + 0.1 * f64::from(i), 0.3),
@@ -107,48 +100,35 @@ fn one_input_for_all() {
     assert_eq!(last, Some(ensemble.state(10)));
 }
 
-/// Samples are what one gets by going from one to the next, and the last is where the ensemble is; backwards as well.
+/// Under a controller that reads the state, each member moves as it would alone, and the ensemble is
+/// where its last sample is.
 #[test]
-fn samples_are_ends() {
-    for (start, end) in [(1.0, 3.5), (3.5, 1.0)] {
-        let (mut sampled, mut moved) = (spinning(), spinning());
-        let samples = sampled.integrate().starting_at(start).method(STEPS);
-        let samples: Vec<_> = samples.samples(end, 0.5).map(Result::unwrap).collect();
-        assert_eq!(samples.len(), 6);
-        let mut time = start;
-        for sample in &samples {
-            let part = moved.integrate().starting_at(time).method(STEPS);
-            part.to(sample.time).unwrap();
-            time = sample.time;
-            assert!(sample.state == *moved.states(), "{time}");
-        }
-        assert!(sampled.states() == moved.states());
-    }
-}
-
-/// Under a controller, each member moves as if it were integrated alone from period to period.
-#[test]
-fn periods_are_integrations() {
+fn controlled_members_move_as_if_alone() {
     let body = bodies::Turning::default();
-    let starts = (0..9).map(|index| Rotation {
-        angular_velocity: Vector3::new(0.1, 0.2 * f64::from(index), 1.0),
-        ..Rotation::default()
-    });
+    let starts: Vec<_> = (0..9)
+        .map(|index| Rotation {
+            angular_velocity: Vector3::new(0.1, 0.2 * f64::from(index), 1.0),
+            ..Rotation::default()
+        })
+        .collect();
     let push = |state: &Rotation| bodies::TurningInput {
         torque: -0.3 * state.angular_velocity,
     };
-    let mut ensemble = Ensemble::new(&body, starts.clone());
-    let motion = ensemble.integrate().tolerance(1e-9);
-    let motion = motion.control(0.25, |_, _, state: &Rotation| push(state));
-    motion.to(1.0).unwrap();
-    for (index, mut alone) in starts.enumerate() {
-        for period in 0..4 {
-            let start = 0.25 * f64::from(period);
-            let motion = body.integrate(&alone).starting_at(start);
-            let motion = motion.method(Verner::with_tolerance(1e-9));
-            alone = motion.input(push(&alone)).to(start + 0.25).unwrap();
+    for (tolerance, end) in [(1e-3, 2.1), (1e-9, 2.1), (1e-9, -1.3)] {
+        let mut ensemble = Ensemble::new(&body, starts.clone());
+        let motion = ensemble.integrate().tolerance(tolerance);
+        let motion = motion.control(0.25, |_, _, state: &Rotation| push(state));
+        motion.to(end).unwrap();
+        let mut sampled = Ensemble::new(&body, starts.clone());
+        let motion = sampled.integrate().tolerance(tolerance);
+        let motion = motion.control(0.25, |_, _, state: &Rotation| push(state));
+        let last = motion.samples(end, 0.1).last().unwrap().unwrap();
+        assert!(last.state == *ensemble.states() && last.state == *sampled.states());
+        for (index, start) in starts.iter().enumerate() {
+            let motion = body.integrate(start).method(Verner { tolerance });
+            let alone = motion.control(0.25, |_, state: &Rotation| push(state));
+            assert!(ensemble.state(index) == alone.to(end).unwrap(), "{index}");
         }
-        assert!(ensemble.state(index) == alone, "{index}");
     }
 }
 

@@ -166,10 +166,10 @@ where
     M: Moves<B> + Copy,
 {
     let plain = (f64::INFINITY, &[][..]);
-    for (end, (max_step, breaks)) in [
-        (0.7, plain),
-        (-0.1, plain),
-        (0.7, (0.17, &[0.4, 0.65, 9.0, 0.3][..])),
+    for (end, (max_step, breaks), period) in [
+        (0.7, plain, None),
+        (-0.1, plain, Some(0.11)),
+        (0.7, (0.17, &[0.4, 0.65, 9.0, 0.3][..]), Some(0.11)),
     ] {
         let mut ensemble = start.clone();
         ensemble.set_width(width);
@@ -191,6 +191,68 @@ where
                 ensemble.state(index) == alone,
                 "member {index}, {width:?}, {}: {alone:?}",
                 std::any::type_name::<M>()
+            );
+        }
+        let limits = (end, max_step, breaks);
+        are_sampled_as_if_alone(start, width, method, limits, period);
+    }
+}
+
+/// The samples of all members are those of each alone, also under inputs that change at a period.
+fn are_sampled_as_if_alone<B, M>(
+    start: &Ensemble<B>,
+    width: Width,
+    method: M,
+    (end, max_step, breaks): (f64, f64, &[f64]),
+    period: Option<f64>,
+) where
+    B: Generic<State: PartialEq, Input: Clone> + Integrate<Best: Together<B>>,
+    M: Moves<B> + Copy,
+{
+    let mut ensemble = start.clone();
+    ensemble.set_width(width);
+    let input = |time: f64, index: usize| {
+        if period.is_none() || time < 0.45 {
+            start.inputs().get(index)
+        } else {
+            B::Input::default()
+        }
+    };
+    let motion = ensemble.integrate().starting_at(0.3).method(method);
+    let motion = motion.max_step(max_step).breaks(breaks);
+    let samples: Vec<_> = match period {
+        None => motion.samples(end, 0.07).map(Result::unwrap).collect(),
+        Some(period) => {
+            let motion = motion.control(period, |time, index, _| input(time, index));
+            motion.samples(end, 0.07).map(Result::unwrap).collect()
+        }
+    };
+    assert!(samples.len() > 5);
+    for index in 0..start.len() {
+        let (body, state) = (start.body(index), start.state(index));
+        let motion = body
+            .integrate(&state)
+            .starting_at(0.3)
+            .method(method.alone());
+        let motion = motion.max_step(max_step).breaks(breaks);
+        let alone: Vec<_> = match period {
+            None => {
+                let motion = motion.input(start.inputs().get(index));
+                motion.samples(end, 0.07).map(Result::unwrap).collect()
+            }
+            Some(period) => {
+                let motion = motion.control(period, |time, _| input(time, index));
+                motion.samples(end, 0.07).map(Result::unwrap).collect()
+            }
+        };
+        assert_eq!(samples.len(), alone.len());
+        for (sample, alone) in samples.iter().zip(alone) {
+            assert!(
+                sample.time == alone.time && sample.state.get(index) == alone.state,
+                "member {index} at {} s, {width:?}, {}, {period:?}: {:?}",
+                alone.time,
+                std::any::type_name::<M>(),
+                alone.state
             );
         }
     }

@@ -2,7 +2,7 @@
 //! continue between two control steps.
 
 use newton_euler::ensemble::Ensemble;
-use newton_euler::integrate::{Classical4, Fixed, Projected, cf4_projected};
+use newton_euler::integrate::{Classical4, Fixed, Projected, Verner, cf4_projected};
 use newton_euler::{integrate, nalgebra::Vector2, prelude::*};
 
 rigid_body!(Carried {
@@ -191,4 +191,61 @@ fn in_lanes_as_alone() {
         assert_eq!(all.state(i as usize), alone);
         assert!((alone.position - each.state(i as usize).position).norm() < 1e-9);
     }
+}
+
+rigid_body!(Tugged::<T> {
+    doc: "Pulled along, with a spring that is switched on and off.",
+    motion: planar_translation,
+    params: [period = 0.1[s]],
+    inputs: [hook = world(_, _)[m].moving],
+    mass: 2[kg],
+    forces: [spring = if t / period - (t / period).floor() < 0.5 {
+        -8[N / m] * (position - hook)
+    } else {
+        world(0, 0)
+    }],
+});
+
+/// Under a controller, and sampled between its instants.
+#[test]
+fn controlled_in_lanes_as_alone() {
+    let input = |time: f64, i: usize| TuggedInput {
+        hook: [0.1 * time, 0.0].into(),
+        hook_rate: [0.1, if i % 2 == 0 { 0.2 } else { -0.3 * time }].into(),
+        hook_acceleration: [0.02, 0.0].into(),
+    };
+    let rest = PlanarTranslation::default();
+    let params = (0..11_u8).map(|i| TuggedParams {
+        period: 0.1 + 0.07 * f64::from(i),
+    });
+    let all = Ensemble::<Tugged<f64>>::with_params(params.map(|params| (params, rest))).unwrap();
+    let fixed = Fixed {
+        method: Classical4,
+        step: 0.03,
+    };
+    let verner = Verner { tolerance: 1e-9 };
+    let ends = [1.0, -1.0];
+    /// Compares with a method.
+    macro_rules! agree {
+        ($method:expr) => {
+            for end in ends {
+                let mut all = all.clone();
+                let motion = all.integrate().method($method);
+                let motion = motion.control(0.17, |time, i, _| input(time, i));
+                let samples: Vec<_> = motion.samples(end, 0.05).map(Result::unwrap).collect();
+                for i in 0..all.len() {
+                    let body = all.body(i);
+                    let alone = body.integrate(&rest).method($method);
+                    let alone = alone.control(0.17, |time, _| input(time, i));
+                    for (sample, alone) in samples.iter().zip(alone.samples(end, 0.05)) {
+                        let alone = alone.unwrap();
+                        assert_eq!(sample.time, alone.time);
+                        assert_eq!(sample.state.get(i), alone.state, "{i} at {} s", alone.time);
+                    }
+                }
+            }
+        };
+    }
+    agree!(fixed);
+    agree!(verner);
 }

@@ -14,7 +14,7 @@
 /// let landed: PlanarTranslation = stone.at(2.0);
 /// assert_eq!((landed.position.x, landed.position.y), (2.0, 0.0));
 /// ```
-pub trait Path {
+pub trait Path: Send {
     /// The type of the state.
     type State;
 

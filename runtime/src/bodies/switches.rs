@@ -106,4 +106,18 @@ impl Stretch {
         given: 0.0,
         period: f64::INFINITY,
     };
+
+    /// A stretch that is over now, under an input that is given now.
+    pub(crate) fn until_now(now: f64) -> Self {
+        Self {
+            next: now,
+            given: now,
+            ..Self::ALL
+        }
+    }
+
+    /// All of time, under an input that is given at a time \[s\].
+    pub(crate) fn since(given: f64) -> Self {
+        Self { given, ..Self::ALL }
+    }
 }

@@ -8,7 +8,7 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use super::moves::{EnsembleError, MemberError, Moves};
+use super::moves::{EnsembleError, MemberError, Motions, Moves, RunOf};
 use super::plan::Limits;
 use super::{Blocks, Ensemble};
 use crate::bodies::columns::Generic;
@@ -21,9 +21,15 @@ use crate::integrate::{
 /// The inputs of the members over time: [`AsGiven`], or a function called at equal intervals, by
 /// [`EnsembleIntegration::control`](super::EnsembleIntegration::control).
 pub trait EnsembleControl<B: Generic> {
-    /// Sets the inputs that act from a time \[s\] on, and returns the time until which they are
-    /// held: towards `end`, or beyond.
-    fn set(&mut self, ensemble: &mut Ensemble<B>, time: f64, end: f64) -> f64;
+    /// Sets the inputs of members in these states, which act from a time \[s\] on, and returns the
+    /// time until which they are held: towards `end`, or beyond.
+    fn set(
+        &mut self,
+        states: &Blocks<B::State>,
+        inputs: &mut Blocks<B::Input>,
+        time: f64,
+        end: f64,
+    ) -> f64;
 
     /// The interval between inputs \[s\], if they are equal.
     fn period(&self) -> Option<f64> {
@@ -36,17 +42,28 @@ pub trait EnsembleControl<B: Generic> {
 pub struct AsGiven;
 
 impl<B: Generic> EnsembleControl<B> for AsGiven {
-    fn set(&mut self, _ensemble: &mut Ensemble<B>, time: f64, end: f64) -> f64 {
+    fn set(
+        &mut self,
+        _states: &Blocks<B::State>,
+        _inputs: &mut Blocks<B::Input>,
+        time: f64,
+        end: f64,
+    ) -> f64 {
         f64::INFINITY.copysign(end - time)
     }
 }
 
 impl<B: Generic, F: FnMut(f64, usize, &B::State) -> B::Input> EnsembleControl<B> for Sampled<F> {
-    fn set(&mut self, ensemble: &mut Ensemble<B>, time: f64, end: f64) -> f64 {
+    fn set(
+        &mut self,
+        states: &Blocks<B::State>,
+        inputs: &mut Blocks<B::Input>,
+        time: f64,
+        end: f64,
+    ) -> f64 {
         let (function, until) = self.next(time, end);
-        for index in 0..ensemble.len() {
-            let input = function(time, index, &ensemble.states.get(index));
-            ensemble.members.inputs.set(index, &input);
+        for (index, state) in states.iter().enumerate() {
+            inputs.set(index, &function(time, index, &state));
         }
         until
     }
@@ -58,15 +75,13 @@ impl<B: Generic, F: FnMut(f64, usize, &B::State) -> B::Input> EnsembleControl<B>
 
 /// Members between a start and an end.
 #[derive(Debug)]
-pub(super) struct EnsembleCourse<'e, B: Generic, M, C> {
+pub(super) struct EnsembleCourse<'e, B: Generic, M: Moves<B>, C> {
     ensemble: &'e mut Ensemble<B>,
     method: M,
     control: C,
     limits: Limits,
     time: f64,
-    end: f64,
-    /// The time until which the current inputs are held.
-    held_until: f64,
+    motions: Motions<RunOf<M, B>>,
     /// Whether the settings are possible, and whether the initial states were checked.
     checked: Result<(), InvalidSetting>,
     is_begun: bool,
@@ -89,10 +104,14 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
             ensemble,
             method,
             control,
-            limits,
+            limits: Limits {
+                held: time..time,
+                end,
+                forwards: end >= time,
+                ..limits
+            },
             time,
-            end,
-            held_until: time,
+            motions: Motions::NOT_KEPT,
             checked,
             is_begun: false,
             lost: None,
@@ -113,24 +132,39 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
             return Ok(());
         }
         while self.time != time {
-            let forwards = time > self.time;
-            let is_ahead = |until: f64, now: f64| if forwards { until > now } else { until < now };
-            if self.time == self.held_until {
-                let until = self.control.set(self.ensemble, self.time, self.end);
-                if !is_ahead(until, self.time) {
-                    let (setting, ahead) = (Setting::Period, until - self.time);
-                    let value = if forwards { ahead } else { -ahead };
-                    return Err(InvalidSetting { setting, value }.into());
-                }
-                (self.held_until, self.limits.given) = (until, self.time);
-            }
-            let next = if is_ahead(time, self.held_until) {
-                self.held_until
+            self.take_inputs()?;
+            let held_until = self.limits.held.end;
+            let next = if self.limits.is_before(held_until, time) {
+                held_until
             } else {
                 time
             };
+            if next != self.limits.end && !self.motions.are_kept() {
+                let (ensemble, method) = (&*self.ensemble, self.method.alone());
+                self.motions = Motions::of(ensemble, method, self.time, self.limits.end);
+            }
             self.moved(next)?;
         }
+        Ok(())
+    }
+
+    /// Gets new inputs where the last ones end.
+    fn take_inputs(&mut self) -> Result<(), InvalidSetting> {
+        let (time, end) = (self.time, self.limits.end);
+        if time != self.limits.held.end {
+            return Ok(());
+        }
+        let Ensemble {
+            states, members, ..
+        } = &mut *self.ensemble;
+        let until = self.control.set(states, &mut members.inputs, time, end);
+        if !self.limits.is_before(time, until) {
+            let (setting, ahead) = (Setting::Period, until - time);
+            let value = if self.limits.forwards { ahead } else { -ahead };
+            return Err(InvalidSetting { setting, value });
+        }
+        self.limits.held = time..until;
+        self.motions.renew();
         Ok(())
     }
 
@@ -167,17 +201,18 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
             }
         };
         let (ensemble, limits) = (&mut *self.ensemble, &self.limits);
+        let motions = &mut self.motions;
         match &mut self.lost {
             None => {
                 let before = ensemble.states.clone();
-                let lost = self.method.moved(ensemble, times, limits, shown);
+                let lost = self.method.moved(ensemble, motions, times, limits, shown);
                 if let Some(first) = lost.into_iter().next() {
                     ensemble.states = before;
                     return Err(first.into());
                 }
             }
             Some(all) => {
-                for one in self.method.moved(ensemble, times, limits, shown) {
+                for one in self.method.moved(ensemble, motions, times, limits, shown) {
                     if all.iter().all(|known| known.index != one.index) {
                         all.push(one);
                     }
@@ -194,7 +229,7 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
     /// Advances the members that can reach the end; returns the others, in order.
     pub(super) fn seek_with_each(mut self) -> Result<Vec<MemberError<B::State>>, InvalidSetting> {
         self.lost = Some(Vec::new());
-        if let Err(EnsembleError::Setting(invalid)) = self.seek(self.end) {
+        if let Err(EnsembleError::Setting(invalid)) = self.seek(self.limits.end) {
             return Err(invalid);
         }
         let mut lost = self.lost.unwrap_or_default();
@@ -206,14 +241,14 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
 /// The states of all members at equal intervals: see
 /// [`EnsembleIntegration::samples`](super::EnsembleIntegration::samples).
 #[derive(Debug)]
-pub struct EnsembleSamples<'e, B: Generic, M, C> {
+pub struct EnsembleSamples<'e, B: Generic, M: Moves<B>, C> {
     course: EnsembleCourse<'e, B, M, C>,
     instants: Instants,
 }
 
-impl<'e, B: Generic, M, C> EnsembleSamples<'e, B, M, C> {
+impl<'e, B: Generic, M: Moves<B>, C> EnsembleSamples<'e, B, M, C> {
     pub(super) fn new(mut course: EnsembleCourse<'e, B, M, C>, period: f64) -> Self {
-        let times = course.time..course.end;
+        let times = course.time..course.limits.end;
         let checked = check(&times, [(Setting::Period, period)]);
         course.checked = course.checked.and(checked);
         let instants = Instants::new(times, period);

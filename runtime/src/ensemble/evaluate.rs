@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 #[cfg(feature = "rayon")]
-use rayon::iter::{IndexedParallelIterator as _, ParallelIterator as _};
+use rayon::iter::{IndexedParallelIterator as _, IntoParallelIterator as _, ParallelIterator as _};
 
 use super::blocks::{BLOCK, Eight, Group, GroupMut};
 use super::{Blocks, Ensemble, Members};
@@ -95,13 +95,27 @@ const CHUNK: usize = 32;
 pub(super) fn in_chunks(
     rows: &mut [Eight],
     columns: usize,
-    work: impl Fn(usize, &mut [Eight]) + Sync,
+    work: impl Fn(usize, &mut [Eight]) + Sync + Send,
 ) {
-    #[cfg(not(feature = "rayon"))]
+    in_chunks_with::<()>(rows, columns, &mut [], |first, rows, _| work(first, rows));
+}
+
+/// The same, with one more value of each member, or none.
+pub(super) fn in_chunks_with<V: Send>(
+    rows: &mut [Eight],
+    columns: usize,
+    values: &mut [V],
+    work: impl Fn(usize, &mut [Eight], &mut [V]) + Sync + Send,
+) {
+    let mut values = values.chunks_mut(BLOCK * CHUNK);
     let chunks = rows.chunks_mut(columns * CHUNK).enumerate();
+    let chunks = chunks.map(|(chunk, rows)| (chunk, rows, values.next().unwrap_or_default()));
     #[cfg(feature = "rayon")]
-    let chunks = rayon::slice::ParallelSliceMut::par_chunks_mut(rows, columns * CHUNK).enumerate();
-    chunks.for_each(|(chunk, rows)| work(chunk * CHUNK, rows));
+    let chunks = chunks
+        .collect::<alloc::vec::Vec<_>>()
+        .into_par_iter()
+        .with_max_len(1);
+    chunks.for_each(|(chunk, rows, values)| work(chunk * CHUNK, rows, values));
 }
 
 /// A body over lanes.

@@ -78,7 +78,9 @@ impl<B: Generic + Integrate<Best: Together<B>>> Ensemble<B> {
             limits: Limits {
                 max_step: f64::INFINITY,
                 breaks: Vec::new(),
-                given: 0.0,
+                held: 0.0..0.0,
+                end: 0.0,
+                forwards: true,
             },
             #[cfg(feature = "progress")]
             shows_progress: true,
@@ -159,8 +161,7 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
 
     /// Takes inputs from a function of time, member and state, called at the start and after every
     /// period \[s\], each held until the next (zero-order hold), like a digital controller per
-    /// member. The members keep their last inputs. Each period is an integration of its own: with
-    /// error control, its first step is chosen anew.
+    /// member. The members keep their last inputs.
     pub fn control<F>(self, period: f64, function: F) -> EnsembleIntegration<'e, B, M, Sampled<F>>
     where
         F: FnMut(f64, usize, &B::State) -> B::Input,
@@ -217,8 +218,8 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
     /// `samples(end, period)`: the states of all members at the start and after every period \[s\],
     /// up to the end \[s\]. The end is the last sample if it is a whole number of periods away. There
     /// is none beyond the end: if the period is longer than the motion, the start is the only
-    /// sample. The ensemble itself moves along, and ends at the last sample. Unlike for one body, steps end at the samples. An
-    /// error is the last item.
+    /// sample. The ensemble itself moves along, and ends at the last sample. Sampling does not change
+    /// the steps. An error is the last item.
     pub fn samples(self, end: f64, period: f64) -> EnsembleSamples<'e, B, M, C>
     where
         M: Moves<B>,

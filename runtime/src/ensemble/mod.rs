@@ -3,8 +3,7 @@
 //! Their states, inputs and parameters are stored in columns. They are evaluated and moved several
 //! at a time, in the widest registers of the processor. These are detected at run time, so the
 //! build needs no flags. A member moves as it would alone, to the bit, whatever its neighbors, the
-//! width of registers and the number of threads. A period of a controller, or between samples, is an
-//! integration of its own: methods with error control choose the first step anew.
+//! width of registers and the number of threads, also under a controller and between samples.
 //!
 //! The feature `rayon` uses all processor cores; `progress` shows a bar for long runs, in terminals.
 
@@ -33,7 +32,7 @@ pub use blocks::{Blocks, Values};
 pub use course::{AsGiven, EnsembleControl, EnsembleSamples};
 pub use events::MemberEvent;
 pub use integration::EnsembleIntegration;
-pub use moves::{EnsembleError, MemberError, Moves, OneByOne, Together};
+pub use moves::{EnsembleError, MemberError, Motions, Moves, OneByOne, RunOf, Together};
 pub use plan::Limits;
 pub use statistics::{Moments, Statistics, shard};
 

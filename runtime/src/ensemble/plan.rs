@@ -6,7 +6,7 @@ use core::ops::Range;
 use super::Members;
 use crate::bodies::body::RigidBody;
 use crate::bodies::columns::Generic;
-use crate::integrate::{Pace, Stretch};
+use crate::integrate::{Pace, Situation, Stretch};
 
 /// The limits of the steps of all members.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,8 +15,12 @@ pub struct Limits {
     pub max_step: f64,
     /// Steps end at these times \[s\], in any order.
     pub breaks: Vec<f64>,
-    /// The time at which the inputs were given \[s\].
-    pub given: f64,
+    /// The time at which the inputs were given, and the time until which they are held \[s\].
+    pub held: Range<f64>,
+    /// The end of the motion \[s\].
+    pub end: f64,
+    /// Whether time runs forwards.
+    pub forwards: bool,
 }
 
 impl Limits {
@@ -27,27 +31,56 @@ impl Limits {
         }
     }
 
-    /// The time up to which the equations of a member do not change, at most the end; `None` if they
-    /// change at a period lost in rounding. A stretch that is over is replaced.
+    /// Whether a time comes before another.
+    pub(super) fn is_before(&self, time: f64, other: f64) -> bool {
+        if self.forwards {
+            time < other
+        } else {
+            time > other
+        }
+    }
+
+    /// What the run of a member is subject to.
+    pub(super) fn of<'s, B: RigidBody>(
+        &'s self,
+        body: &'s B,
+        input: &'s B::Input,
+        pace: &'s Pace<core::slice::Iter<'s, f64>>,
+    ) -> Situation<'s, B, core::slice::Iter<'s, f64>> {
+        Situation {
+            body,
+            input,
+            pace,
+            held_until: self.held.end,
+            end: self.end,
+            forwards: self.forwards,
+        }
+    }
+
+    /// The end of the next step of a member, before which its equations do not change; `None` if
+    /// they change at a period lost in rounding. A stretch that is over is replaced.
     #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn until<L: RigidBody>(
         &self,
         (body, input): (&L, &L::Input),
         stretch: &mut Stretch,
-        (now, end, forwards): (f64, f64, bool),
+        now: f64,
         lane: usize,
     ) -> Option<f64> {
-        let is_before = |time: f64| if forwards { now < time } else { now > time };
-        if !is_before(stretch.next) {
-            *stretch = Stretch::of(body, input, (now, forwards, lane), self.breaks.iter());
-            stretch.check(&(now..end)).ok()?;
+        let (held_until, end, forwards) = (self.held.end, self.end, self.forwards);
+        if !self.is_before(now, stretch.next) {
+            let given = stretch.given;
+            let next = Stretch::of(body, input, (now, forwards, lane), self.breaks.iter());
+            next.check(&(now..end)).ok()?;
+            *stretch = Stretch { given, ..next };
         }
         let next = stretch.next;
-        Some(if forwards {
-            next.min(end)
+        let limit = if forwards {
+            next.min(held_until.min(end))
         } else {
-            next.max(end)
-        })
+            next.max(held_until.max(end))
+        };
+        Some(self.pace().limit(now, limit))
     }
 }
 
@@ -57,6 +90,8 @@ pub(super) struct Plan<'e, M, B: Generic> {
     pub(super) members: &'e Members<B>,
     /// The block of the first rows.
     pub(super) first: usize,
+    /// From the start of all members whose motions are not kept to the end of the last step, or to a
+    /// time within it.
     pub(super) times: Range<f64>,
     pub(super) limits: &'e Limits,
 }

@@ -55,10 +55,12 @@ pub use steps::stretch::next_switch;
 
 #[cfg(feature = "ensemble")]
 pub(crate) use {
+    course::Pace,
     course::instants::Instants,
     course::integration::TOLERANCE,
-    course::{Course, Pace},
+    course::underway::{Situation, Underway},
     methods::adaptive::{attempt, first},
+    methods::runge_kutta::track::Track,
     steps::chatter::LOOK,
     steps::equations::Rates,
     steps::lengths::{Lengths, shrunk},

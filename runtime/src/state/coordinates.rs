@@ -16,7 +16,7 @@ use crate::numbers::scalar::Scalar;
 /// states are last.
 pub trait Coordinates: State<Scalar: Scalar> {
     /// `[Scalar; COUNT]`, for a system a [`List`](super::List).
-    type Array: Copy + Debug + Default + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
+    type Array: Copy + Debug + Default + Send + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
 
     /// The sizes of groups of coordinates with the same unit. The second half of the
     /// groups are the rates of the first. For a user-defined state, whose rate comes from the

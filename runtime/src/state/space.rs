@@ -16,11 +16,11 @@ use core::ops::{Add, Mul, Sub};
 /// assert!((later.attitude.angle() - 0.2).abs() < 1e-15);
 /// assert!((later.angular_velocity.z - 2.05).abs() < 1e-15);
 /// ```
-pub trait State: Clone {
+pub trait State: Clone + Send {
     /// The number type.
     type Scalar;
     /// The second derivatives of the coordinates; together with the state they determine its rate.
-    type Acceleration;
+    type Acceleration: Send;
     /// An element of the tangent space.
     type Rate: Copy
         + Add<Output = Self::Rate>

@@ -3,7 +3,7 @@
 /// Many products at once.
 ///
 /// A value of such a type proves that its instructions are available.
-pub trait Arithmetic: Copy {
+pub trait Arithmetic: Copy + Send {
     /// `sums + left right`, element by element.
     #[must_use]
     fn multiply_add<const COUNT: usize>(

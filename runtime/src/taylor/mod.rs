@@ -29,7 +29,7 @@ pub(crate) use series::{after, increment, slope};
 )]
 pub trait Taylor: RigidBody<Scalar = f64, State: Coordinates> {
     /// The reusable workspace: see [`Products`].
-    type Products<A: Arithmetic, const N: usize>: From<A>;
+    type Products<A: Arithmetic, const N: usize>: From<A> + Send;
 
     /// The axes in which [`expand`](Self::expand) works for the whole motion from a state on. In
     /// that state they are along the body axes.

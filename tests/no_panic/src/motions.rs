@@ -63,11 +63,12 @@ macro_rules! motions {
 
             cannot_panic! {
                 fn advance(
-                    run: &mut <$method as Method<$body>>::Run<'_>,
+                    run: &mut <$method as Method<$body>>::Run,
+                    body: &$body,
                     end: f64,
                     input: &Input,
                 ) -> Result<(), Ended<$body>> {
-                    run.advance(end, input)
+                    run.advance(body, end, input)
                 }
 
                 fn to(body: &$body, state: &State, method: $method, end: f64) -> Result<State, Ended<$body>> {

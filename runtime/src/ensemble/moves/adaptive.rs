@@ -5,22 +5,22 @@ use alloc::vec::Vec;
 use core::ops::Range;
 use core::sync::atomic::{AtomicBool, Ordering};
 
-#[cfg(feature = "rayon")]
-use rayon::iter::ParallelIterator as _;
-
 use super::lane::{Lane, Progress};
-use super::members::{Done, MemberError, indices, put};
+use super::members::{Done, MemberError, put};
+use super::motions::Motions;
 use super::one_by_one::end_alone;
 use super::register::InRegister;
+use super::samples::sample;
 use super::seats::Seats;
-use super::{Moves, Together};
+use super::{Moves, RunOf, Together};
 use crate::bodies::columns::{Columns, Generic};
 use crate::ensemble::Ensemble;
 use crate::ensemble::blocks::{BLOCK, Eight, write};
-use crate::ensemble::evaluate::in_chunks;
+use crate::ensemble::evaluate::in_chunks_with;
 use crate::ensemble::plan::{Limits, Plan};
 use crate::integrate::{
-    Adaptive, DormandPrince, Method, RungeKuttaPair, SeriesBelow, TaylorSeries, Verner,
+    Adaptive, AdaptiveRun, DormandPrince, Method, RungeKuttaPair, SeriesBelow, TaylorSeries,
+    Underway, Verner,
 };
 use crate::numbers::lanes::{Lanes, Register, Work, by_itself};
 
@@ -37,11 +37,12 @@ macro_rules! moves_in_lanes {
             fn moved(
                 &self,
                 ensemble: &mut Ensemble<B>,
+                motions: &mut Motions<RunOf<Self, B>>,
                 times: Range<f64>,
                 limits: &Limits,
                 observer: impl Fn(f64) + Sync,
             ) -> Vec<MemberError<B::State>> {
-                stream(*self, ensemble, &times, limits, observer)
+                stream(*self, ensemble, motions, (&times, limits), observer)
             }
         }
 
@@ -69,19 +70,23 @@ impl<B: Generic> Together<B> for RungeKuttaPair {
 }
 
 /// Moves all members in lanes, and those that are left alone.
-fn stream<B: Generic, A: Adaptive + Method<B>>(
+fn stream<B: Generic, A>(
     method: A,
     ensemble: &mut Ensemble<B>,
-    times: &Range<f64>,
-    limits: &Limits,
+    motions: &mut Motions<RunIn<A, B>>,
+    (times, limits): (&Range<f64>, &Limits),
     observer: impl Fn(f64) + Sync,
-) -> Vec<MemberError<B::State>> {
+) -> Vec<MemberError<B::State>>
+where
+    A: Adaptive + Method<B, Run = RunIn<A, B>>,
+{
     let count = ensemble.len();
     let left: Vec<_> = (0..count).map(|_| AtomicBool::new(false)).collect();
     let done = Done::of(count, observer);
     let columns = <B::State as Columns<f64>>::COUNT;
     let (members, width) = (&ensemble.members, ensemble.width);
-    in_chunks(ensemble.states.rows_mut(), columns, |first, rows| {
+    let (rows, kept) = (ensemble.states.rows_mut(), motions.as_mut_slice());
+    in_chunks_with(rows, columns, kept, |first, rows, motions| {
         let here = BLOCK * first..count.min(BLOCK * (first + rows.len() / columns));
         let plan = Plan {
             method,
@@ -93,28 +98,36 @@ fn stream<B: Generic, A: Adaptive + Method<B>>(
         width.run(Stream {
             plan: &plan,
             states: rows,
+            motions,
             count: here.len(),
             left: &left[here.clone()],
         });
+        let tracks = motions.iter().map(|motion| &motion.run.track);
+        sample::<A::Pair, _, _>(width, &plan, rows, tracks);
         done.add(here.len());
     });
-    let left: Vec<usize> = (0..count)
-        .filter(|index| left[*index].load(Ordering::Relaxed))
-        .collect();
-    let ends = indices(left.len()).map(|number| {
-        let index = left[number];
-        (index, end_alone(ensemble, method, index, times, limits))
+    let is_left = |index: usize| left[index].load(Ordering::Relaxed);
+    if !(0..count).any(is_left) {
+        return Vec::new();
+    }
+    let ends = motions.each(count, |index, motion| {
+        let end = || end_alone(ensemble, method, (index, motion), times, limits);
+        is_left(index).then(|| (index, end()))
     });
-    let ends: Vec<_> = ends.collect();
-    put(&mut ensemble.states, ends.into_iter())
+    put(&mut ensemble.states, ends.into_iter().flatten())
 }
+
+/// The run of one member.
+type RunIn<A, B> = AdaptiveRun<B, <A as Adaptive>::Pair>;
 
 /// Integrates the members of some blocks, each as it would alone, to the bit. Members that do not
 /// reach the end, or take very many steps, keep their states and are marked for separate
 /// integration.
-struct Stream<'e, A, B: Generic> {
+struct Stream<'e, A: Adaptive, B: Generic> {
     plan: &'e Plan<'e, A, B>,
     states: &'e mut [Eight],
+    /// The motions of the members, if they are kept.
+    motions: &'e mut [Underway<RunIn<A, B>>],
     /// The number of members in the blocks.
     count: usize,
     /// Whether each of them is left for separate integration.
@@ -137,11 +150,14 @@ impl<A: Adaptive, B: Generic> Work for Stream<'_, A, B> {
                     by_itself(
                         simd,
                         #[cfg_attr(not(unoptimized), inline(always))]
-                        || register.begin(&seats, &fresh),
+                        || register.begin(&seats, &fresh, self.motions),
                     );
                 }
                 if register.lanes.iter().all(|lane| lane.member.is_none()) {
                     return;
+                }
+                if register.has_stopped {
+                    continue;
                 }
             }
             by_itself(
@@ -169,6 +185,9 @@ impl<A: Adaptive, B: Generic> Stream<'_, A, B> {
             if state == Progress::There {
                 let end = register.end_of(lane);
                 write(self.states, member / BLOCK, member % BLOCK, &end);
+                if let Some(motion) = self.motions.get_mut(member) {
+                    register.keep(lane, motion);
+                }
             } else {
                 self.left[member].store(true, Ordering::Relaxed);
             }

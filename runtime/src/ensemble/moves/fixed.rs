@@ -3,24 +3,28 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use super::Moves;
 use super::members::{Done, MemberError};
+use super::motions::Motions;
 use super::one_by_one::OneByOne;
 use super::register_steps::{Apart, Ways};
+use super::samples::sample;
+use super::{Moves, RunOf};
 use crate::bodies::body::RigidBody;
 use crate::bodies::columns::{Columns, Generic};
 use crate::ensemble::blocks::{BLOCK, Blocks, Eight, GroupMut};
-use crate::ensemble::evaluate::{in_chunks, read};
+use crate::ensemble::evaluate::{in_chunks_with, read};
 use crate::ensemble::plan::{Limits, Plan};
 use crate::ensemble::{Ensemble, Members};
-use crate::integrate::{Equations, Fixed, IntegrationError, RungeKutta, Stretch, add};
+use crate::integrate::{
+    Equations, Fixed, FixedRun, IntegrationError, RungeKutta, Stretch, Underway, add,
+};
 use crate::numbers::count::real;
 use crate::numbers::lanes::{Lanes, Register, Width, Work};
 use crate::state::Coordinates;
 
 /// In lanes: each member moves as it would alone, to the bit. Bodies whose mass or inertia changes
 /// move one by one, because each step checks these. If a motion becomes non-finite, the
-/// error contains the state at the start.
+/// error contains the state at the start, at the last sample or at the last change of inputs.
 impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
     type Alone = Self;
 
@@ -31,32 +35,32 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
     fn moved(
         &self,
         ensemble: &mut Ensemble<B>,
+        motions: &mut Motions<RunOf<Self, B>>,
         times: Range<f64>,
         limits: &Limits,
         observer: impl Fn(f64) + Sync,
     ) -> Vec<MemberError<B::State>> {
         // at each step the mass must be possible
         if B::CHANGES {
-            return OneByOne(*self).moved(ensemble, times, limits, observer);
+            return OneByOne(*self).moved(ensemble, motions, times, limits, observer);
         }
         let (time, end) = (times.start, times.end);
         let before = ensemble.states.clone();
         let failed = |members: &Members<B>, index: usize| {
             let (body, input) = (members.body(index), members.inputs.get(index));
-            let from = (time, end >= time, 0);
+            let from = (time, limits.forwards, 0);
             let stretch = Stretch::of(&body, &input, from, limits.breaks.iter());
             let error = match stretch.check(&(time..end)) {
                 Ok(()) => IntegrationError::lost(time, before.get(index)),
                 Err(invalid) => IntegrationError::refused(invalid, time, before.get(index)),
             };
-            let error = error.named(&body, &input, end >= time);
+            let error = error.named(&body, &input, limits.forwards);
             MemberError { index, error }
         };
         let is_there = end - time == 0.0;
         if before.is_empty() || is_there {
             return Vec::new();
         }
-        let steps = self.count(end - time).unwrap_or(1);
         let done = Done::of(before.len(), observer);
         let plan = Plan {
             method: *self,
@@ -65,10 +69,15 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
             times,
             limits,
         };
-        in_lanes(&plan, steps, ensemble.width, &mut ensemble.states, &done);
+        let motions = motions.as_mut_slice();
+        in_lanes(&plan, motions, ensemble.width, &mut ensemble.states, &done);
+        let is_finite = |coordinates: &<B::State as Coordinates>::Array| {
+            coordinates.as_ref().iter().sum::<f64>().is_finite()
+        };
         let is_lost = |index: &usize| {
-            let coordinates = ensemble.states.get(*index).coordinates();
-            !coordinates.as_ref().iter().sum::<f64>().is_finite()
+            let now = motions.get(*index).map(|motion| &motion.run.track.now);
+            !is_finite(&ensemble.states.get(*index).coordinates())
+                || now.is_some_and(|now| !is_finite(&now.coordinates))
         };
         let lost: Vec<usize> = (0..before.len()).filter(is_lost).collect();
         for index in &lost {
@@ -79,37 +88,48 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
     }
 }
 
-/// Moves all members by this many steps, or by as many as each needs.
+/// Moves all members, by equal steps if their motions are not kept, or by those of each.
 fn in_lanes<B: Generic, M: RungeKutta>(
     plan: &Plan<'_, Fixed<M>, B>,
-    steps: usize,
+    motions: &mut [Underway<FixedRun<M, B>>],
     width: Width,
     states: &mut Blocks<B::State>,
     done: &Done<impl Fn(f64) + Sync>,
 ) {
     let columns = <B::State as Columns<f64>>::COUNT;
-    let step = (plan.times.end - plan.times.start) / real(steps);
-    in_chunks(states.rows_mut(), columns, |first, rows| {
-        let members_here = rows.len() / columns * BLOCK;
-        let plan = Plan {
-            first,
-            times: plan.times.clone(),
-            ..*plan
-        };
-        let is_done = width.run(Advance {
-            plan: &plan,
-            step,
-            steps,
-            states: rows,
-        });
-        if !is_done {
-            width.run(Apart {
-                plan: &plan,
-                states: rows,
-            });
-        }
-        done.add(members_here);
-    });
+    let span = plan.times.end - plan.times.start;
+    let steps = plan.method.count(span).unwrap_or(1);
+    let step = span / real(steps);
+    in_chunks_with(
+        states.rows_mut(),
+        columns,
+        motions,
+        |first, rows, motions| {
+            let members_here = rows.len() / columns * BLOCK;
+            let plan = Plan {
+                first,
+                times: plan.times.clone(),
+                ..*plan
+            };
+            let is_done = motions.is_empty()
+                && width.run(Advance {
+                    plan: &plan,
+                    step,
+                    steps,
+                    states: rows,
+                });
+            if !is_done {
+                width.run(Apart {
+                    plan: &plan,
+                    states: rows,
+                    motions,
+                });
+            }
+            let tracks = motions.iter().map(|motion| &motion.run.track);
+            sample::<M, _, _>(width, &plan, rows, tracks);
+            done.add(members_here);
+        },
+    );
 }
 
 /// Advances the members of each register that take the same steps; returns whether these are all of
@@ -132,7 +152,7 @@ impl<M: RungeKutta, B: Generic> Work for Advance<'_, M, B> {
         for (rows, block) in states.zip(plan.members.blocks(plan.first)) {
             for group in 0..BLOCK / Lanes::<S>::COUNT {
                 let (body, input) = block.group::<B, S>(simd, group);
-                if !Ways::new((&body, &input), plan).are_plain() {
+                if !Ways::new((&body, &input), plan, &[]).are_plain() {
                     is_done = false;
                     continue;
                 }

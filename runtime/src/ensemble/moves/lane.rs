@@ -27,12 +27,8 @@ impl Lane {
         stretch: Stretch::ALL,
     };
 
-    /// A member that starts at a time.
-    pub(super) fn at(member: Option<usize>, time: f64) -> Self {
-        let stretch = Stretch {
-            next: time,
-            ..Stretch::ALL
-        };
+    /// A member that goes on in a stretch of time.
+    pub(super) fn within(member: Option<usize>, stretch: Stretch) -> Self {
         Self {
             member,
             stretch,

@@ -12,13 +12,16 @@ mod adaptive;
 mod fixed;
 mod lane;
 mod members;
+mod motions;
 mod one_by_one;
 mod register;
 mod register_steps;
+mod samples;
 mod seats;
 
 pub(super) use members::indices;
 pub use members::{EnsembleError, MemberError};
+pub use motions::Motions;
 pub use one_by_one::OneByOne;
 
 /// A method for all members of an ensemble.
@@ -30,16 +33,20 @@ pub trait Moves<B: Generic> {
     fn alone(&self) -> Self::Alone;
 
     /// Moves all members between two times \[s\], with the inputs held and settings that are
-    /// possible, and calls an observer with the completed fraction. Members that do not reach the end keep their states, and are
-    /// returned, in order.
+    /// possible, and calls an observer with the completed fraction. Motions that are kept go on; others
+    /// begin. Members that do not reach the end keep their states, and are returned, in order.
     fn moved(
         &self,
         ensemble: &mut Ensemble<B>,
+        motions: &mut Motions<RunOf<Self, B>>,
         times: Range<f64>,
         limits: &Limits,
         observer: impl Fn(f64) + Sync,
     ) -> Vec<MemberError<B::State>>;
 }
+
+/// The run of a member that moves alone.
+pub type RunOf<M, B> = <<M as Moves<B>>::Alone as Method<B>>::Run;
 
 /// A method for one body, and the default method of an ensemble of bodies for which it is the best.
 pub trait Together<B: Generic> {

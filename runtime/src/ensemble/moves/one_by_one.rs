@@ -3,17 +3,13 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-#[cfg(feature = "rayon")]
-use rayon::iter::ParallelIterator as _;
-
-use super::members::{Done, MemberError, indices, put};
-use super::{Moves, Together};
+use super::members::{Done, MemberError, put};
+use super::motions::Motions;
+use super::{Moves, RunOf, Together};
 use crate::bodies::columns::Generic;
 use crate::ensemble::Ensemble;
 use crate::ensemble::plan::Limits;
-use crate::integrate::{
-    ClosedForm, Course, Held, IntegrationError, Method, Projected, Run as _, Tolerant,
-};
+use crate::integrate::{ClosedForm, IntegrationError, Method, Projected, Tolerant, Underway};
 
 /// Moves members one by one, by any method, each with its own steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,27 +25,26 @@ impl<B: Generic, M: Method<B>> Moves<B> for OneByOne<M> {
     fn moved(
         &self,
         ensemble: &mut Ensemble<B>,
+        motions: &mut Motions<RunOf<Self, B>>,
         times: Range<f64>,
         limits: &Limits,
         observer: impl Fn(f64) + Sync,
     ) -> Vec<MemberError<B::State>> {
-        let all = indices(ensemble.len());
         let done = Done::of(ensemble.len(), observer);
-        let ends = all.map(|index| {
-            let end = end_alone(ensemble, self.0, index, &times, limits);
+        let ends = motions.each(ensemble.len(), |index, motion| {
+            let end = end_alone(ensemble, self.0, (index, motion), &times, limits);
             done.add(1);
             end
         });
-        let ends: Vec<Result<_, _>> = ends.collect();
         put(&mut ensemble.states, ends.into_iter().enumerate())
     }
 }
 
-/// The end of a member that moves alone.
+/// The end of a member that moves alone: from the start, or from where its motion is.
 pub(super) fn end_alone<B: Generic, M: Method<B>>(
     ensemble: &Ensemble<B>,
     method: M,
-    index: usize,
+    (index, motion): (usize, Option<&mut Underway<M::Run>>),
     times: &Range<f64>,
     limits: &Limits,
 ) -> Result<B::State, IntegrationError<B::State>> {
@@ -57,11 +52,13 @@ pub(super) fn end_alone<B: Generic, M: Method<B>>(
         states, members, ..
     } = ensemble;
     let (body, input) = (members.body(index), members.inputs.get(index));
-    let (start, pace) = ((times.start, &states.get(index)), limits.pace());
-    let mut course = Course::new(&body, method, Held(input), pace, start, times.end);
-    course.given = Some(limits.given);
-    course.seek(times.end)?;
-    Ok(course.run.state())
+    let pace = limits.pace();
+    let situation = limits.of(&body, &input, &pace);
+    if let Some(motion) = motion {
+        return motion.seek(&situation, times.end);
+    }
+    let start = (times.start, &states.get(index));
+    Underway::new(&body, method, start, limits.end).seek(&situation, times.end)
 }
 
 impl<M: Tolerant> Tolerant for OneByOne<M> {

@@ -15,8 +15,8 @@ use crate::ensemble::blocks::{BLOCK, Eight};
 use crate::ensemble::evaluate::{Laned, read};
 use crate::ensemble::plan::Plan;
 use crate::integrate::{
-    Adaptive, Embedded as _, Equations, LOOK, Lengths, Rates, Within, add, attempt, compensated,
-    finest, first, shrunk,
+    Adaptive, AdaptiveRun, Embedded as _, Equations, LOOK, Lengths, Rates, Stretch, Track,
+    Underway, Within, add, attempt, compensated, finest, first, shrunk,
 };
 use crate::numbers::lanes::{Lanes, Mask, Register, by_itself};
 use crate::numbers::scalar::Scalar;
@@ -38,6 +38,8 @@ pub(super) struct InRegister<'e, A, B: Generic, S: Register> {
     input: InputOf<B, S>,
     coordinates: ArrayOf<B, S>,
     lost: ArrayOf<B, S>,
+    /// The start of the last step.
+    before: (Lanes<S>, ArrayOf<B, S>),
     /// 1 in lanes whose members move.
     going: Lanes<S>,
     time: Lanes<S>,
@@ -45,14 +47,15 @@ pub(super) struct InRegister<'e, A, B: Generic, S: Register> {
     late: Lanes<S>,
     /// The time at which the next step must end.
     limit: Lanes<S>,
-    /// The bounds of the stretch of time.
-    stretch: [Lanes<S>; 2],
+    /// The bounds of the stretch of time, and the time at which the input was given.
+    stretch: [Lanes<S>; 3],
     /// The next step, zero if there is none, and whether it reaches the limit.
     step: Lanes<S>,
     is_last: Mask<S>,
     lengths: Lengths<Lanes<S>>,
-    /// The number of steps that were not cut short.
+    /// The number of steps that were not cut short, and the longest step.
     steps: Lanes<S>,
+    longest: Lanes<S>,
 }
 
 impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
@@ -70,15 +73,17 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
             input: read(simd, &seats.inputs, 0),
             coordinates: Default::default(),
             lost: Default::default(),
+            before: (zero, Default::default()),
             going: zero,
             time: zero,
             late: zero,
             limit: zero,
-            stretch: [zero; 2],
+            stretch: [zero; 3],
             step: zero,
             is_last: zero.less(zero),
             lengths: Lengths::from(zero),
             steps: zero,
+            longest: zero,
         }
     }
 
@@ -122,12 +127,12 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
     /// The members, each within its current stretch of time.
     #[cfg_attr(not(unoptimized), inline(always))]
     fn within(&self) -> Within<'_, Laned<B, S>> {
-        let [lower, upper] = self.stretch;
+        let [lower, upper, given] = self.stretch;
         Within {
             body: &self.member,
             lower,
             upper,
-            given: self.splat(self.plan.limits.given),
+            given,
         }
     }
 
@@ -149,9 +154,14 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
         (self.limit - self.time) - self.late
     }
 
-    /// Begins with new members.
+    /// Begins with new members, or goes on with their motions.
     #[cfg_attr(not(unoptimized), inline(always))]
-    pub(super) fn begin(&mut self, seats: &Seats<B>, fresh: &Eight) {
+    pub(super) fn begin(
+        &mut self,
+        seats: &Seats<B>,
+        fresh: &Eight,
+        motions: &[Underway<AdaptiveRun<B, A::Pair>>],
+    ) {
         let simd = self.simd;
         self.member = read(simd, &seats.bodies, 0);
         self.input = read(simd, &seats.inputs, 0);
@@ -171,11 +181,27 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
         self.late = Lanes::select(is_old, self.late, zero);
         self.limit = Lanes::select(is_old, self.limit, start);
         self.steps = Lanes::select(is_old, self.steps, zero);
+        self.longest = Lanes::select(is_old, self.longest, zero);
+        let mut is_first = *fresh;
         for (lane, _) in fresh.iter().enumerate().filter(|(_, new)| **new != 0.0) {
-            self.lanes[lane] = Lane::at(self.lanes[lane].member, self.plan.times.start);
+            let member = self.lanes[lane].member;
+            let motion = member.and_then(|member| motions.get(member));
+            let stretch = match motion {
+                None => Stretch::until_now(self.plan.times.start),
+                Some(motion) => motion.stretch,
+            };
+            self.lanes[lane] = Lane::within(member, stretch);
+            if let Some(Underway { run, .. }) = motion {
+                self.resume(lane, run);
+                is_first[lane] = f64::from(u8::from(run.lengths.is_none()));
+            }
             self.go_on(lane);
             self.check(lane);
         }
+        if is_first.iter().all(|first| *first == 0.0) {
+            return;
+        }
+        let is_old = self.row(&is_first).equal(zero);
         let within = self.within();
         let equations = self.equations(&within);
         let (from, rest, tolerance) = (&self.coordinates, self.rest(), self.tolerance);
@@ -225,6 +251,11 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
         self.leave(is_accepted & !is_finite);
 
         let is_taken = is_accepted & is_finite;
+        let (since, before) = &mut self.before;
+        *since = Lanes::select(is_taken, self.time, *since);
+        for (old, start) in before.as_mut().iter_mut().zip(self.coordinates.as_ref()) {
+            *old = Lanes::select(is_taken, *start, *old);
+        }
         for (old, next) in [(&mut self.coordinates, &next), (&mut self.lost, &next_lost)] {
             for (old, next) in old.as_mut().iter_mut().zip(next.as_ref()) {
                 *old = Lanes::select(is_taken, *next, *old);
@@ -236,17 +267,30 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
         self.time = Lanes::select(is_taken, time, self.time);
         self.late = Lanes::select(is_taken, late, self.late);
         self.steps += Lanes::select(is_taken & !is_last, self.splat(1.0), zero);
+        let is_longest = is_taken & self.longest.less(step.abs());
+        self.longest = Lanes::select(is_longest, step.abs(), self.longest);
 
         let is_cut = self.plan.limits.max_step < f64::INFINITY;
         let turns = is_taken
             & (if is_cut {
                 is_taken
             } else {
-                self.time.equal(self.limit)
+                self.time.equal(self.limit) | !self.is_before_target()
             });
         self.each(turns, Self::go_on);
         if B::CHANGES {
             self.each(is_taken, Self::check);
+        }
+    }
+
+    /// Whether members have not reached the time up to which they move.
+    #[cfg_attr(not(unoptimized), inline(always))]
+    fn is_before_target(&self) -> Mask<S> {
+        let target = self.splat(self.plan.times.end);
+        if self.plan.limits.forwards {
+            self.time.less(target)
+        } else {
+            target.less(self.time)
         }
     }
 
@@ -277,21 +321,75 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
 
     /// Sets the end of the next steps of a member, as a course does for a run.
     fn go_on(&mut self, index: usize) {
-        let (Range { start, end }, limits) = (self.plan.times.clone(), self.plan.limits);
-        let (now, forwards) = (self.time.lane(index), end >= start);
-        if now == end {
+        let (limits, now) = (self.plan.limits, self.time.lane(index));
+        if !limits.is_before(now, self.plan.times.end) {
             self.stop(index, Progress::There);
             return;
         }
         let member = (&self.member, &self.input);
         let stretch = &mut self.lanes[index].stretch;
-        let Some(limit) = limits.until(member, stretch, (now, end, forwards), index) else {
+        let Some(limit) = limits.until(member, stretch, now, index) else {
             self.stop(index, Progress::Left);
             return;
         };
-        self.stretch[0].put(index, stretch.lower);
-        self.stretch[1].put(index, stretch.upper);
-        self.limit.put(index, limits.pace().limit(now, limit));
+        let bounds = [stretch.lower, stretch.upper, stretch.given];
+        for (lanes, bound) in self.stretch.iter_mut().zip(bounds) {
+            lanes.put(index, bound);
+        }
+        self.limit.put(index, limit);
+    }
+
+    /// Goes on with a motion that is kept.
+    fn resume(&mut self, index: usize, run: &AdaptiveRun<B, A::Pair>) {
+        let Track { now, before, .. } = &run.track;
+        let (since, start) = &mut self.before;
+        let lists = [
+            (&mut self.coordinates, &now.coordinates),
+            (&mut self.lost, &now.lost),
+            (start, &before.1),
+        ];
+        for (lanes, list) in lists {
+            for (lanes, number) in lanes.as_mut().iter_mut().zip(list.as_ref()) {
+                lanes.put(index, *number);
+            }
+        }
+        since.put(index, before.0);
+        self.time.put(index, now.time);
+        self.late.put(index, now.late);
+        let (steps, longest) = run.watch.seen();
+        self.steps.put(index, steps);
+        self.longest.put(index, longest);
+        if let Some(lengths) = &run.lengths {
+            self.lengths.put(index, lengths);
+        }
+    }
+
+    /// Keeps the motion of a member.
+    pub(super) fn keep(&self, index: usize, motion: &mut Underway<AdaptiveRun<B, A::Pair>>) {
+        let Underway { run, stretch } = motion;
+        *stretch = self.lanes[index].stretch;
+        let Track {
+            stretch: within,
+            now,
+            before,
+        } = &mut run.track;
+        *within = *stretch;
+        let lists = [
+            (&mut now.coordinates, &self.coordinates),
+            (&mut now.lost, &self.lost),
+            (&mut before.1, &self.before.1),
+        ];
+        for (list, lanes) in lists {
+            for (number, lanes) in list.as_mut().iter_mut().zip(lanes.as_ref()) {
+                *number = lanes.lane(index);
+            }
+        }
+        before.0 = self.before.0.lane(index);
+        now.time = self.time.lane(index);
+        now.late = self.late.lane(index);
+        run.watch
+            .put(self.steps.lane(index), self.longest.lane(index));
+        run.lengths = Some(self.lengths.of_lane(index));
     }
 
     /// Leaves a member whose mass or inertia is impossible now.

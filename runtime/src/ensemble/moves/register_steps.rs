@@ -7,16 +7,22 @@
 
 use core::ops::Range;
 
+use super::samples::InLanes;
 use crate::bodies::body::RigidBody;
 use crate::bodies::columns::{Columns, Generic};
 use crate::ensemble::blocks::{BLOCK, Eight, GroupMut};
 use crate::ensemble::evaluate::read;
 use crate::ensemble::plan::{Limits, Plan};
-use crate::integrate::{Equations, Fixed, RungeKutta, Stretch, Within, add};
+use crate::integrate::{
+    Equations, Fixed, FixedRun, RungeKutta, Stretch, Track, Underway, Within, add,
+};
 use crate::numbers::count::real;
 use crate::numbers::lanes::{Lanes, Register, Work};
 use crate::numbers::scalar::Scalar;
 use crate::state::Coordinates;
+
+/// The motion of a member.
+type Motion<M, B> = Underway<FixedRun<M, B>>;
 
 /// The progress of each member of a register. Steps end where the course of a single body with
 /// equal steps would end them, so each member moves as it would alone, to the bit.
@@ -31,7 +37,7 @@ pub(super) struct Ways<'e, M> {
     moves: bool,
 }
 
-/// Equal steps of one member within a stretch; none at the end.
+/// Equal steps of one member within a stretch.
 #[derive(Clone, Copy)]
 struct Way {
     stretch: Stretch,
@@ -39,36 +45,33 @@ struct Way {
     end: f64,
     taken: usize,
     steps: usize,
+    /// Whether the member has not come to the time up to which it moves, and whether it has moved.
+    goes: bool,
+    has_moved: bool,
 }
 
 impl<'e, M: RungeKutta> Ways<'e, M> {
-    /// Where the members of a register begin.
+    /// Where the members of a register begin, or go on with their motions.
     #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn new<B: Generic, L: RigidBody<Scalar: Scalar>>(
-        (body, input): (&L, &L::Input),
+        member: (&L, &L::Input),
         plan: &Plan<'e, Fixed<M>, B>,
+        motions: &[Motion<M, B>],
     ) -> Self {
-        let (times, limits) = (plan.times.clone(), plan.limits);
-        let start = times.start;
-        let way = Way {
-            stretch: Stretch {
-                next: start,
-                ..Stretch::ALL
-            },
-            start,
-            end: start,
-            taken: 0,
-            steps: 0,
+        let (body, input) = member;
+        let way = |lane: usize| match motions.get(lane).or(motions.last()) {
+            None => Way::since(plan.times.start),
+            Some(motion) => Way::of(motion),
         };
         let mut ways = Self {
             fixed: plan.method,
-            limits,
-            times,
-            each: [way; BLOCK],
+            limits: plan.limits,
+            times: plan.times.clone(),
+            each: core::array::from_fn(way),
             count: L::Scalar::LANES.min(BLOCK),
             moves: body.input_after(input, L::Scalar::default()).is_some(),
         };
-        (0..ways.count).for_each(|lane| ways.go_on((body, input), lane));
+        (0..ways.count).for_each(|lane| ways.go_on(member, lane));
         ways
     }
 
@@ -82,56 +85,65 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
         !self.moves && self.each.iter().take(self.count).all(is_plain)
     }
 
-    /// The next steps of a member.
+    /// The next steps of a member, if the last ones are taken.
     #[cfg_attr(not(unoptimized), inline(always))]
-    fn go_on<L: RigidBody<Scalar: Scalar>>(&mut self, (body, input): (&L, &L::Input), lane: usize) {
-        let end = self.times.end;
-        let forwards = end >= self.times.start;
-        let Some(way) = self.each.get_mut(lane) else {
-            return;
-        };
-        let is_under_way = way.taken < way.steps;
-        let now = if is_under_way { way.time() } else { way.end };
-        if now == end || now.is_nan() {
-            way.steps = 0;
+    fn go_on<L: RigidBody<Scalar: Scalar>>(&mut self, member: (&L, &L::Input), lane: usize) {
+        let limits = self.limits;
+        let way = &mut self.each[lane];
+        let (now, is_under_way) = (way.time(), way.taken < way.steps);
+        way.goes = limits.is_before(now, self.times.end);
+        // the longest step is counted from the end of the last step
+        if !way.goes || (is_under_way && limits.max_step == f64::INFINITY) {
             return;
         }
-        let from = (now, end, forwards);
-        let until = self
-            .limits
-            .until((body, input), &mut way.stretch, from, lane);
+        let until = limits.until(member, &mut way.stretch, now, lane);
         // a member whose conditions have no times is lost
-        let limit = until.map_or(f64::NAN, |until| self.limits.pace().limit(now, until));
-        if is_under_way && way.end == limit {
-            return;
+        let limit = until.unwrap_or(f64::NAN);
+        if !is_under_way || way.end != limit {
+            (way.start, way.end, way.taken) = (now, limit, 0);
+            way.steps = self.fixed.count(limit - now).unwrap_or(1);
         }
-        (way.start, way.end, way.taken) = (now, limit, 0);
-        way.steps = self.fixed.count(limit - now).unwrap_or(1);
     }
 
-    /// The state at the end.
+    /// The state of the members at the end. Their motions are kept, if there are any.
     #[cfg_attr(not(unoptimized), inline(always))]
-    pub(super) fn moved<L, S>(
+    pub(super) fn moved<B, L, S>(
         mut self,
         simd: S,
-        (body, input): (&L, &L::Input),
+        member: (&L, &L::Input),
         state: &L::State,
+        motions: &mut [Motion<M, B>],
     ) -> L::State
     where
         S: Register,
+        B: Generic,
         L: RigidBody<Scalar = Lanes<S>, State: Coordinates<Scalar = Lanes<S>>>,
     {
-        let given = Lanes::splat(simd, self.limits.given);
-        let mut coordinates = state.coordinates();
-        let mut lost = <L::State as Coordinates>::Array::default();
-        while self.each.iter().take(self.count).any(|way| way.steps > 0) {
-            let [time, step, lower, upper] = [Way::time, Way::step, Way::lower, Way::upper]
-                .map(|part| self.register(simd, part));
+        let (body, input) = member;
+        let are_kept = !motions.is_empty();
+        let (mut coordinates, mut lost) = if are_kept {
+            let lanes = InLanes::of(simd, motions);
+            (
+                lanes.list(|motion| &motion.run.track.now.coordinates),
+                lanes.list(|motion| &motion.run.track.now.lost),
+            )
+        } else {
+            (state.coordinates(), Default::default())
+        };
+        let (mut since, mut before) = (Lanes::splat(simd, 0.0), coordinates);
+        while self.each.iter().take(self.count).any(|way| way.goes) {
+            let [time, step, lower, upper] = [
+                Way::time,
+                Way::step,
+                |way: &Way| way.stretch.lower,
+                |way: &Way| way.stretch.upper,
+            ]
+            .map(|part| self.register(simd, part));
             let within = Within {
                 body,
                 lower,
                 upper,
-                given,
+                given: Lanes::splat(simd, self.limits.held.start),
             };
             let equations = Equations {
                 body: &within,
@@ -142,21 +154,46 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
             let (mut next, mut next_lost) = (coordinates, lost);
             add(&mut next, &mut next_lost, &change);
             let is_there = step.equal(Lanes::splat(simd, 0.0));
-            for (old, next) in [(&mut coordinates, &next), (&mut lost, &next_lost)] {
-                for (old, next) in old.as_mut().iter_mut().zip(next.as_ref()) {
-                    *old = Lanes::select(is_there, *old, *next);
-                }
+            if are_kept {
+                since = Lanes::select(is_there, since, time);
+                replace(&mut before, &coordinates, is_there);
             }
+            replace(&mut coordinates, &next, is_there);
+            replace(&mut lost, &next_lost, is_there);
             for lane in 0..self.count {
-                let way = &mut self.each[lane];
-                way.taken += 1;
-                // the longest step is counted from the end of the last step
-                if way.taken >= way.steps || self.limits.max_step < f64::INFINITY {
-                    self.go_on((body, input), lane);
-                }
+                self.stepped(member, lane);
+            }
+        }
+        for (lane, motion) in motions.iter_mut().enumerate().take(self.count) {
+            let way = &self.each[lane];
+            way.keep(motion);
+            let Track {
+                now, before: last, ..
+            } = &mut motion.run.track;
+            copy(&mut now.coordinates, &coordinates, lane);
+            copy(&mut now.lost, &lost, lane);
+            // a step that ends at the time of its end is not looked into
+            if way.has_moved && self.limits.is_before(self.times.end, now.time) {
+                last.0 = since.lane(lane);
+                copy(&mut last.1, &before, lane);
             }
         }
         L::State::from_coordinates(&coordinates)
+    }
+
+    /// After a step of all members that go.
+    #[cfg_attr(not(unoptimized), inline(always))]
+    fn stepped<L: RigidBody<Scalar: Scalar>>(&mut self, member: (&L, &L::Input), lane: usize) {
+        let is_cut = self.limits.max_step < f64::INFINITY;
+        let way = &mut self.each[lane];
+        if way.goes {
+            way.taken += 1;
+            way.has_moved = true;
+            way.goes = self.limits.is_before(way.time(), self.times.end);
+            if way.goes && (is_cut || way.taken == way.steps) {
+                self.go_on(member, lane);
+            }
+        }
     }
 
     /// A part of the ways of all members, in a register.
@@ -168,10 +205,30 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
     }
 }
 
-/// The members of the registers in which members take different steps.
-pub(super) struct Apart<'e, M, B: Generic> {
+/// Replaces numbers of the lanes that have not come to the end.
+#[cfg_attr(not(unoptimized), inline(always))]
+fn replace<S: Register, A>(numbers: &mut A, next: &A, is_there: <Lanes<S> as Scalar>::Truth)
+where
+    A: AsRef<[Lanes<S>]> + AsMut<[Lanes<S>]>,
+{
+    for (number, next) in numbers.as_mut().iter_mut().zip(next.as_ref()) {
+        *number = Lanes::select(is_there, *number, *next);
+    }
+}
+
+/// Copies the numbers of one lane.
+#[cfg_attr(not(unoptimized), inline(always))]
+fn copy<S: Register>(list: &mut impl AsMut<[f64]>, lanes: &impl AsRef<[Lanes<S>]>, lane: usize) {
+    for (number, lanes) in list.as_mut().iter_mut().zip(lanes.as_ref()) {
+        *number = lanes.lane(lane);
+    }
+}
+
+/// The members of the registers in which members take different steps, or whose motions are kept.
+pub(super) struct Apart<'e, M: RungeKutta, B: Generic> {
     pub(super) plan: &'e Plan<'e, Fixed<M>, B>,
     pub(super) states: &'e mut [Eight],
+    pub(super) motions: &'e mut [Motion<M, B>],
 }
 
 impl<M: RungeKutta, B: Generic> Work for Apart<'_, M, B> {
@@ -181,15 +238,23 @@ impl<M: RungeKutta, B: Generic> Work for Apart<'_, M, B> {
     fn run<S: Register>(self, simd: S) {
         let columns = <B::State as Columns<f64>>::COUNT;
         let (plan, states) = (self.plan, self.states.chunks_exact_mut(columns));
+        let are_kept = !self.motions.is_empty();
+        let mut motions = self.motions.chunks_mut(Lanes::<S>::COUNT);
         for (rows, block) in states.zip(plan.members.blocks(plan.first)) {
             for group in 0..BLOCK / Lanes::<S>::COUNT {
                 let (body, input) = block.group::<B, S>(simd, group);
                 let member = (&body, &input);
-                let ways = Ways::new(member, plan);
-                if ways.are_plain() {
+                let motions = motions.next().unwrap_or_default();
+                let ways = Ways::new(member, plan, motions);
+                let is_done = if are_kept {
+                    motions.is_empty()
+                } else {
+                    ways.are_plain()
+                };
+                if is_done {
                     continue;
                 }
-                let end = ways.moved(simd, member, &read(simd, rows, group));
+                let end = ways.moved(simd, member, &read(simd, rows, group), motions);
                 let rows = rows.iter_mut();
                 Columns::<Lanes<S>>::write(&end, &mut GroupMut { rows, index: group });
             }
@@ -198,24 +263,56 @@ impl<M: RungeKutta, B: Generic> Work for Apart<'_, M, B> {
 }
 
 impl Way {
+    /// Before the first step of a motion from a time.
+    fn since(time: f64) -> Self {
+        Self {
+            stretch: Stretch::until_now(time),
+            start: time,
+            end: time,
+            taken: 0,
+            steps: 0,
+            goes: true,
+            has_moved: false,
+        }
+    }
+
+    /// Where a motion goes on.
+    fn of<M: RungeKutta, B: Generic>(motion: &Motion<M, B>) -> Self {
+        let Underway { run, stretch } = motion;
+        Self {
+            stretch: *stretch,
+            start: run.span.start,
+            end: run.span.end,
+            taken: run.steps.start,
+            steps: run.steps.end,
+            goes: true,
+            has_moved: false,
+        }
+    }
+
+    /// Keeps the progress of a motion.
+    fn keep<M: RungeKutta, B: Generic>(&self, motion: &mut Motion<M, B>) {
+        let Underway { run, stretch } = motion;
+        (*stretch, run.track.stretch) = (self.stretch, self.stretch);
+        run.span = self.start..self.end;
+        run.steps = self.taken..self.steps;
+        run.track.now.time = self.time();
+    }
+
     fn time(&self) -> f64 {
-        self.start + real(self.taken) * self.step()
+        if self.taken < self.steps {
+            self.start + real(self.taken) * ((self.end - self.start) / real(self.steps))
+        } else {
+            self.end
+        }
     }
 
     /// Zero at the end.
     fn step(&self) -> f64 {
-        if self.steps == 0 {
-            0.0
-        } else {
+        if self.goes {
             (self.end - self.start) / real(self.steps)
+        } else {
+            0.0
         }
-    }
-
-    fn lower(&self) -> f64 {
-        self.stretch.lower
-    }
-
-    fn upper(&self) -> f64 {
-        self.stretch.upper
     }
 }

@@ -9,7 +9,7 @@ use super::observed::{Events, Samples, Steps};
 use super::{Course, Pace};
 use crate::bodies::body::RigidBody;
 use crate::integrate::steps::error::IntegrationError;
-use crate::integrate::steps::method::{Method, Run, Tolerant};
+use crate::integrate::steps::method::{Method, Tolerant};
 use crate::integrate::steps::setting::check_state;
 use crate::state::Coordinates;
 
@@ -297,19 +297,19 @@ where
     pub fn to(self, end: f64) -> Result<B::State, IntegrationError<B::State>> {
         let mut course = self.course(end);
         course.seek(end)?;
-        Ok(course.run.state())
+        Ok(course.state())
     }
 
     /// `samples(end, period)`: the states at the start and after every period \[s\], up to the end
     /// \[s\]. The end is the last sample if it is a whole number of periods away. There is none beyond
     /// the end: if the period is longer than the motion, the start is the only sample, and nothing
     /// moves. Sampling does not change the steps.
-    pub fn samples(self, end: f64, period: f64) -> Samples<M::Run<'b>, C, B, L> {
+    pub fn samples(self, end: f64, period: f64) -> Samples<'b, M::Run, C, B, L> {
         Samples::new(self.course(end), period)
     }
 
     /// The state at the end of every step, up to the end \[s\].
-    pub fn steps(self, end: f64) -> Steps<M::Run<'b>, C, B, L> {
+    pub fn steps(self, end: f64) -> Steps<'b, M::Run, C, B, L> {
         Steps {
             course: self.course(end),
             is_over: false,
@@ -331,7 +331,7 @@ where
         self,
         end: f64,
         function: F,
-    ) -> Events<M::Run<'b>, C, B, F, L> {
+    ) -> Events<'b, M::Run, C, B, F, L> {
         Events {
             course: self.course(end),
             function,
@@ -340,7 +340,7 @@ where
         }
     }
 
-    fn course(self, end: f64) -> Course<M::Run<'b>, C, B, L> {
+    fn course(self, end: f64) -> Course<'b, M::Run, C, B, L> {
         #[cfg(feature = "progress")]
         let bar = self
             .shows_progress

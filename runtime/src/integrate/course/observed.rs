@@ -43,20 +43,20 @@ impl<S: Named> Named for Sample<S> {
 }
 
 /// States at equal intervals: see [`Integration::samples`](crate::integrate::Integration::samples).
-pub struct Samples<R, C, B: RigidBody, L = Empty<f64>> {
-    course: Course<R, C, B, L>,
+pub struct Samples<'b, R, C, B: RigidBody, L = Empty<f64>> {
+    course: Course<'b, R, C, B, L>,
     instants: Instants,
 }
 
-impl<R, C, B, L> Samples<R, C, B, L>
+impl<'b, R, C, B, L> Samples<'b, R, C, B, L>
 where
     B: RigidBody<Scalar = f64>,
     R: Run<B>,
     C: Control<B::State, B::Input>,
     L: Iterator<Item: Borrow<f64>> + Clone,
 {
-    pub(super) fn new(mut course: Course<R, C, B, L>, period: f64) -> Self {
-        let times = course.run.time()..course.end;
+    pub(super) fn new(mut course: Course<'b, R, C, B, L>, period: f64) -> Self {
+        let times = course.time()..course.end;
         let checked = check(&times, [(Setting::Period, period)]);
         course.refused = course.refused.or(checked.err());
         let instants = Instants::new(times, period);
@@ -64,7 +64,7 @@ where
     }
 }
 
-impl<R, C, B, L> Iterator for Samples<R, C, B, L>
+impl<R, C, B, L> Iterator for Samples<'_, R, C, B, L>
 where
     B: RigidBody<Scalar = f64>,
     R: Run<B>,
@@ -87,12 +87,12 @@ where
 }
 
 /// The ends of steps: see [`Integration::steps`](crate::integrate::Integration::steps).
-pub struct Steps<R, C, B: RigidBody, L = Empty<f64>> {
-    pub(super) course: Course<R, C, B, L>,
+pub struct Steps<'b, R, C, B: RigidBody, L = Empty<f64>> {
+    pub(super) course: Course<'b, R, C, B, L>,
     pub(super) is_over: bool,
 }
 
-impl<R, C, B, L> Iterator for Steps<R, C, B, L>
+impl<R, C, B, L> Iterator for Steps<'_, R, C, B, L>
 where
     B: RigidBody<Scalar = f64>,
     R: Run<B>,
@@ -107,7 +107,7 @@ where
         }
         match self.course.step() {
             Ok(true) => {
-                let (time, state) = (self.course.run.time(), self.course.run.state());
+                let (time, state) = (self.course.time(), self.course.state());
                 Some(Ok(Sample { time, state }))
             }
             Ok(false) => None,
@@ -120,15 +120,15 @@ where
 }
 
 /// Zeros of a function: see [`Integration::events`](crate::integrate::Integration::events).
-pub struct Events<R, C, B: RigidBody, F, L = Empty<f64>> {
-    pub(super) course: Course<R, C, B, L>,
+pub struct Events<'b, R, C, B: RigidBody, F, L = Empty<f64>> {
+    pub(super) course: Course<'b, R, C, B, L>,
     pub(super) function: F,
     /// The search within the last step.
     pub(super) search: Option<Search>,
     pub(super) is_over: bool,
 }
 
-impl<R, C, B, F, L> Events<R, C, B, F, L>
+impl<R, C, B, F, L> Events<'_, R, C, B, F, L>
 where
     B: RigidBody<Scalar = f64>,
     R: Run<B>,
@@ -137,11 +137,11 @@ where
 {
     /// The current state of the motion: the end state, when there are no more events.
     pub fn state(&self) -> B::State {
-        self.course.run.state()
+        self.course.state()
     }
 }
 
-impl<R, C, B, F, L> Iterator for Events<R, C, B, F, L>
+impl<R, C, B, F, L> Iterator for Events<'_, R, C, B, F, L>
 where
     B: RigidBody<Scalar = f64>,
     R: Run<B>,
@@ -161,11 +161,11 @@ where
                     return found;
                 }
             }
-            let start = self.course.run.time();
-            let value = (self.function)(start, &self.course.run.state());
+            let start = self.course.time();
+            let value = (self.function)(start, &self.course.state());
             match self.course.step() {
                 Ok(true) => {
-                    let length = self.course.run.time() - start;
+                    let length = self.course.time() - start;
                     self.search = Some(Search::new(start, length, R::PLACES, value));
                 }
                 Ok(false) => self.is_over = true,
@@ -182,10 +182,10 @@ where
 /// Implements `Debug` by the current state.
 macro_rules! debug {
     ($($name:ident<$($parameter:ident),*> $course:ident;)*) => {$(
-        impl<R: Run<B>, C, B: RigidBody<Scalar = f64>, $($parameter,)* L> fmt::Debug for $name<R, C, B, $($parameter,)* L> {
+        impl<R: Run<B>, C, B: RigidBody<Scalar = f64>, $($parameter,)* L> fmt::Debug for $name<'_, R, C, B, $($parameter,)* L> {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.debug_struct(stringify!($name))
-                    .field("time", &self.$course.run.time())
+                    .field("time", &self.$course.underway.run.time())
                     .field("end", &self.$course.end)
                     .finish_non_exhaustive()
             }

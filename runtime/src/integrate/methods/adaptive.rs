@@ -3,7 +3,8 @@
 use core::fmt;
 use core::marker::PhantomData;
 
-use super::runge_kutta::{DormandPrince8, Embedded, Verner9, runge_kutta_step};
+use super::runge_kutta::track::Track;
+use super::runge_kutta::{DormandPrince8, Embedded, Verner9};
 use crate::bodies::body::RigidBody;
 use crate::bodies::switches::Stretch;
 use crate::integrate::steps::chatter::Watch;
@@ -11,10 +12,10 @@ use crate::integrate::steps::equations::{Equations, Rates};
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::lengths::{Lengths, combined, shrunk};
 use crate::integrate::steps::method::{Method, Run, Tolerant};
-use crate::integrate::steps::point::Point;
 use crate::integrate::steps::setting::Setting;
 use crate::integrate::steps::size::{finest, relative_size, root};
 use crate::integrate::steps::stretch::Within;
+
 use crate::numbers::scalar::{Scalar, number};
 use crate::state::Coordinates;
 
@@ -76,13 +77,10 @@ macro_rules! adaptive {
         }
 
         impl<B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> for $name {
-            type Run<'b>
-                = AdaptiveRun<'b, B, $pair>
-            where
-                B: 'b;
+            type Run = AdaptiveRun<B, $pair>;
 
-            fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> Self::Run<'b> {
-                AdaptiveRun::new(body, time, state, self.tolerance)
+            fn start(self, _body: &B, time: f64, state: &B::State) -> Self::Run {
+                AdaptiveRun::new(time, state, self.tolerance)
             }
 
             fn setting(&self) -> Option<(Setting, f64)> {
@@ -96,26 +94,20 @@ adaptive!(DormandPrince by DormandPrince8);
 adaptive!(Verner by Verner9);
 
 /// A motion in steps as long as its tolerance permits.
-pub struct AdaptiveRun<'b, B: RigidBody<Scalar = f64, State: Coordinates>, P = DormandPrince8> {
-    within: Within<'b, B>,
+pub struct AdaptiveRun<B: RigidBody<Scalar = f64, State: Coordinates>, P = DormandPrince8> {
+    pub(crate) track: Track<B::State>,
     tolerance: f64,
-    now: Point<B::State>,
-    /// The start of the last step.
-    before: (f64, <B::State as Coordinates>::Array),
     /// None before the first step.
-    lengths: Option<Lengths<f64>>,
-    watch: Watch,
+    pub(crate) lengths: Option<Lengths<f64>>,
+    pub(crate) watch: Watch,
     pair: PhantomData<P>,
 }
 
-impl<'b, B: RigidBody<Scalar = f64, State: Coordinates>, P> AdaptiveRun<'b, B, P> {
-    fn new(body: &'b B, time: f64, state: &B::State, tolerance: f64) -> Self {
-        let now = Point::new(time, state);
+impl<B: RigidBody<Scalar = f64, State: Coordinates>, P> AdaptiveRun<B, P> {
+    fn new(time: f64, state: &B::State, tolerance: f64) -> Self {
         Self {
-            within: Within::new(body, time),
+            track: Track::new(time, state),
             tolerance: finest(tolerance),
-            before: (time, now.coordinates),
-            now,
             lengths: None,
             watch: Watch::OF_A_PAIR,
             pair: PhantomData,
@@ -123,77 +115,80 @@ impl<'b, B: RigidBody<Scalar = f64, State: Coordinates>, P> AdaptiveRun<'b, B, P
     }
 }
 
-impl<B: RigidBody<Scalar = f64, State: Coordinates>, P> fmt::Debug for AdaptiveRun<'_, B, P> {
+impl<B: RigidBody<Scalar = f64, State: Coordinates>, P> fmt::Debug for AdaptiveRun<B, P> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("AdaptiveRun")
             .field("tolerance", &self.tolerance)
-            .field("time", &self.now.time)
+            .field("time", &self.track.now.time)
             .field("lengths", &self.lengths)
             .finish_non_exhaustive()
     }
 }
 
-impl<B: RigidBody<Scalar = f64, State: Coordinates>, P: Embedded> Run<B> for AdaptiveRun<'_, B, P> {
+impl<B: RigidBody<Scalar = f64, State: Coordinates>, P: Embedded> Run<B> for AdaptiveRun<B, P> {
     const PLACES: usize = 4;
 
-    fn body(&self) -> &B {
-        self.within.body
-    }
-
     fn time(&self) -> f64 {
-        self.now.time
+        self.track.now.time
     }
 
     fn state(&self) -> B::State {
-        self.now.state()
+        self.track.now.state()
     }
 
-    fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
+    fn advance(
+        &mut self,
+        body: &B,
+        end: f64,
+        input: &B::Input,
+    ) -> Result<(), IntegrationError<B::State>> {
+        let Track {
+            stretch,
+            now,
+            before,
+        } = &mut self.track;
         let equations = Equations {
-            body: &self.within,
+            body: &Within::new(body, stretch),
             input,
         };
         if self.watch.is_due() {
-            let rest = self.now.rest(end);
-            let chatters = self
-                .watch
-                .chatters(&equations, &self.now, rest, self.tolerance);
+            let rest = now.rest(end);
+            let chatters = self.watch.chatters(&equations, now, rest, self.tolerance);
             if let Some(step) = chatters {
-                return Err(self.now.step_too_small(step));
+                return Err(now.step_too_small(step));
             }
         }
-        self.before = (self.now.time, self.now.coordinates);
-        let (time, rest) = (self.now.time, self.now.rest(end));
+        *before = (now.time, now.coordinates);
+        let (time, rest) = (now.time, now.rest(end));
         let lengths = self.lengths.get_or_insert_with(|| {
-            let coordinates = &self.now.coordinates;
-            let step = first::<P, _, _>(&equations, time, coordinates, rest, self.tolerance);
+            let step = first::<P, _, _>(&equations, time, &now.coordinates, rest, self.tolerance);
             Lengths::from(step)
         });
         loop {
             let (step, is_last) = lengths.next(rest);
             if !step.is_finite() {
-                return Err(self.now.not_finite());
+                return Err(now.not_finite());
             }
             if (time + step) - time == 0.0 && !is_last {
                 return Err(if lengths.error().is_nan() {
-                    self.now.not_finite()
+                    now.not_finite()
                 } else {
-                    self.now.step_too_small(step)
+                    now.step_too_small(step)
                 });
             }
-            let (change, error) = attempt::<P, _, _>(&equations, time, &self.now.coordinates, step);
+            let (change, error) = attempt::<P, _, _>(&equations, time, &now.coordinates, step);
             let share = shrunk(self.tolerance, error, P::ESTIMATE);
             if lengths.is_accepted((step, is_last), (error, share), self.tolerance) {
                 let is_finite = if is_last {
-                    self.now.arrive(change, end)
+                    now.arrive(change, end)
                 } else {
-                    self.now.advance(change, step)
+                    now.advance(change, step)
                 };
                 return if is_finite {
                     self.watch.saw(step, is_last);
                     Ok(())
                 } else {
-                    Err(self.now.not_finite())
+                    Err(now.not_finite())
                 };
             }
         }
@@ -208,17 +203,15 @@ impl<B: RigidBody<Scalar = f64, State: Coordinates>, P: Embedded> Run<B> for Ada
     }
 
     fn enter(&mut self, stretch: Stretch) {
-        self.within.enter(stretch);
+        self.track.stretch = stretch;
     }
 
-    fn replace(&mut self, state: &B::State) {
-        self.now.replace(state);
+    fn replace(&mut self, _body: &B, state: &B::State) {
+        self.track.now.replace(state);
     }
 
-    fn within(&self, time: f64, input: &B::Input) -> B::State {
-        let (start, coordinates) = &self.before;
-        let before = B::State::from_coordinates(coordinates);
-        runge_kutta_step::<P, _>(&self.within, *start, &before, input, time - start)
+    fn within(&self, body: &B, time: f64, input: &B::Input) -> B::State {
+        self.track.within::<P, B>(body, time, input)
     }
 }
 

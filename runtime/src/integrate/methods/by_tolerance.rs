@@ -28,16 +28,12 @@ impl Tolerant for RungeKuttaPair {
 }
 
 /// A motion by [`DormandPrince`] or [`Verner`].
-pub type PairRun<'b, B> =
-    EitherRun<AdaptiveRun<'b, B, DormandPrince8>, AdaptiveRun<'b, B, Verner9>>;
+pub type PairRun<B> = EitherRun<AdaptiveRun<B, DormandPrince8>, AdaptiveRun<B, Verner9>>;
 
 impl<B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> for RungeKuttaPair {
-    type Run<'b>
-        = PairRun<'b, B>
-    where
-        B: 'b;
+    type Run = PairRun<B>;
 
-    fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> Self::Run<'b> {
+    fn start(self, body: &B, time: f64, state: &B::State) -> Self::Run {
         let Self { tolerance } = self;
         if tolerance > COARSE {
             EitherRun::First(DormandPrince { tolerance }.start(body, time, state))
@@ -72,12 +68,9 @@ impl<const N: u32> Tolerant for SeriesBelow<N> {
 }
 
 impl<B: Taylor, const N: u32> Method<B> for SeriesBelow<N> {
-    type Run<'b>
-        = EitherRun<SeriesRun<'b, B>, PairRun<'b, B>>
-    where
-        B: 'b;
+    type Run = EitherRun<SeriesRun<B>, PairRun<B>>;
 
-    fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> Self::Run<'b> {
+    fn start(self, body: &B, time: f64, state: &B::State) -> Self::Run {
         let Self { tolerance } = self;
         if tolerance <= Self::FINE {
             EitherRun::First(TaylorSeries { tolerance }.start(body, time, state))

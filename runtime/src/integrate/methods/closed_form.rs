@@ -22,14 +22,10 @@ impl Tolerant for ClosedForm {
 }
 
 impl<B: Flow<Scalar = f64, State: Coordinates>> Method<B> for ClosedForm {
-    type Run<'b>
-        = PathRun<'b, B>
-    where
-        B: 'b;
+    type Run = PathRun<B>;
 
-    fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> PathRun<'b, B> {
+    fn start(self, body: &B, time: f64, state: &B::State) -> PathRun<B> {
         PathRun {
-            body,
             path: body.path(state),
             start: (time, state.clone()),
             time,
@@ -38,15 +34,14 @@ impl<B: Flow<Scalar = f64, State: Coordinates>> Method<B> for ClosedForm {
 }
 
 /// A motion along its path.
-pub struct PathRun<'b, B: Flow> {
-    body: &'b B,
+pub struct PathRun<B: Flow> {
     path: B::Path,
     /// The start of the path.
     start: (f64, B::State),
     time: f64,
 }
 
-impl<B: Flow> fmt::Debug for PathRun<'_, B> {
+impl<B: Flow> fmt::Debug for PathRun<B> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("PathRun")
             .field("start", &self.start.0)
@@ -55,12 +50,8 @@ impl<B: Flow> fmt::Debug for PathRun<'_, B> {
     }
 }
 
-impl<B: Flow<Scalar = f64, State: Coordinates>> Run<B> for PathRun<'_, B> {
+impl<B: Flow<Scalar = f64, State: Coordinates>> Run<B> for PathRun<B> {
     const PLACES: usize = 16;
-
-    fn body(&self) -> &B {
-        self.body
-    }
 
     fn time(&self) -> f64 {
         self.time
@@ -75,7 +66,12 @@ impl<B: Flow<Scalar = f64, State: Coordinates>> Run<B> for PathRun<'_, B> {
         }
     }
 
-    fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
+    fn advance(
+        &mut self,
+        body: &B,
+        end: f64,
+        input: &B::Input,
+    ) -> Result<(), IntegrationError<B::State>> {
         let (time, rest) = (self.time, end - self.time);
         let step = self
             .path
@@ -87,20 +83,21 @@ impl<B: Flow<Scalar = f64, State: Coordinates>> Run<B> for PathRun<'_, B> {
             let state = self.state();
             return Err(IntegrationError::StepTooSmall { time, state, step });
         }
-        self.seek(next, end, input)
+        self.seek(body, next, end, input)
     }
 
-    fn within(&self, time: f64, _input: &B::Input) -> B::State {
+    fn within(&self, _body: &B, time: f64, _input: &B::Input) -> B::State {
         self.path.at(time - self.start.0)
     }
 
-    fn replace(&mut self, state: &B::State) {
-        self.path = self.body.path(state);
+    fn replace(&mut self, body: &B, state: &B::State) {
+        self.path = body.path(state);
         self.start = (self.time, state.clone());
     }
 
     fn seek(
         &mut self,
+        _body: &B,
         time: f64,
         _end: f64,
         _input: &B::Input,

@@ -31,10 +31,6 @@ impl<B: RigidBody<Scalar = f64>, F: Run<B>, S: Run<B>> Run<B> for EitherRun<F, S
         S::PLACES
     };
 
-    fn body(&self) -> &B {
-        of_either!(self, body())
-    }
-
     fn time(&self) -> f64 {
         of_either!(self, time())
     }
@@ -43,8 +39,13 @@ impl<B: RigidBody<Scalar = f64>, F: Run<B>, S: Run<B>> Run<B> for EitherRun<F, S
         of_either!(self, state())
     }
 
-    fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
-        of_either!(self, advance(end, input))
+    fn advance(
+        &mut self,
+        body: &B,
+        end: f64,
+        input: &B::Input,
+    ) -> Result<(), IntegrationError<B::State>> {
+        of_either!(self, advance(body, end, input))
     }
 
     fn tolerance(&self) -> Option<f64> {
@@ -63,11 +64,11 @@ impl<B: RigidBody<Scalar = f64>, F: Run<B>, S: Run<B>> Run<B> for EitherRun<F, S
         of_either!(self, enter(stretch));
     }
 
-    fn replace(&mut self, state: &B::State) {
-        of_either!(self, replace(state));
+    fn replace(&mut self, body: &B, state: &B::State) {
+        of_either!(self, replace(body, state));
     }
 
-    fn within(&self, time: f64, input: &B::Input) -> B::State {
-        of_either!(self, within(time, input))
+    fn within(&self, body: &B, time: f64, input: &B::Input) -> B::State {
+        of_either!(self, within(body, time, input))
     }
 }

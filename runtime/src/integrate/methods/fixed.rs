@@ -3,15 +3,16 @@
 use core::fmt;
 use core::ops::Range;
 
-use super::runge_kutta::{RungeKutta, runge_kutta_step};
+use super::runge_kutta::RungeKutta;
+use super::runge_kutta::track::Track;
 use crate::bodies::body::RigidBody;
 use crate::bodies::switches::Stretch;
 use crate::integrate::steps::equations::Equations;
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run};
-use crate::integrate::steps::point::Point;
 use crate::integrate::steps::setting::{InvalidSetting, Setting};
 use crate::integrate::steps::stretch::Within;
+
 use crate::numbers::count::real;
 use crate::state::Coordinates;
 
@@ -43,18 +44,12 @@ impl<M> Fixed<M> {
 }
 
 impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> for Fixed<M> {
-    type Run<'b>
-        = FixedRun<'b, M, B>
-    where
-        B: 'b;
+    type Run = FixedRun<M, B>;
 
-    fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> FixedRun<'b, M, B> {
-        let now = Point::new(time, state);
+    fn start(self, _body: &B, time: f64, state: &B::State) -> Self::Run {
         FixedRun {
-            within: Within::new(body, time),
+            track: Track::new(time, state),
             fixed: self,
-            before: (time, now.coordinates),
-            now,
             span: time..time,
             steps: Range::default(),
         }
@@ -66,50 +61,51 @@ impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Method<B> fo
 }
 
 /// A motion in equal steps.
-pub struct FixedRun<'b, M, B: RigidBody<Scalar = f64, State: Coordinates>> {
-    within: Within<'b, B>,
+pub struct FixedRun<M, B: RigidBody<Scalar = f64, State: Coordinates>> {
+    pub(crate) track: Track<B::State>,
     fixed: Fixed<M>,
-    now: Point<B::State>,
-    /// The start of the last step.
-    before: (f64, <B::State as Coordinates>::Array),
     /// The span being divided, and its remaining steps.
-    span: Range<f64>,
-    steps: Range<usize>,
+    pub(crate) span: Range<f64>,
+    pub(crate) steps: Range<usize>,
 }
 
-impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> fmt::Debug
-    for FixedRun<'_, M, B>
-{
+impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> fmt::Debug for FixedRun<M, B> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("FixedRun")
             .field("fixed", &self.fixed)
-            .field("time", &self.now.time)
+            .field("time", &self.track.now.time)
             .finish_non_exhaustive()
     }
 }
 
-impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for FixedRun<'_, M, B> {
+impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for FixedRun<M, B> {
     const PLACES: usize = 4;
 
-    fn body(&self) -> &B {
-        self.within.body
-    }
-
     fn time(&self) -> f64 {
-        self.now.time
+        self.track.now.time
     }
 
     fn state(&self) -> B::State {
-        self.now.state()
+        self.track.now.state()
     }
 
     #[inline]
-    fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
+    fn advance(
+        &mut self,
+        body: &B,
+        end: f64,
+        input: &B::Input,
+    ) -> Result<(), IntegrationError<B::State>> {
+        let Track {
+            stretch,
+            now,
+            before,
+        } = &mut self.track;
         if self.steps.is_empty() || self.span.end != end {
-            self.span = self.now.time..end;
-            let Some(count) = self.fixed.count(end - self.now.time) else {
+            self.span = now.time..end;
+            let Some(count) = self.fixed.count(end - now.time) else {
                 let (setting, value) = (Setting::Step, self.fixed.step);
-                let (time, state) = (self.now.time, self.now.state());
+                let (time, state) = (now.time, now.state());
                 let invalid = InvalidSetting { setting, value };
                 return Err(IntegrationError::refused(invalid, time, state));
             };
@@ -117,10 +113,10 @@ impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for F
         }
         let step = (end - self.span.start) / real(self.steps.end);
         let equations = Equations {
-            body: &self.within,
+            body: &Within::new(body, stretch),
             input,
         };
-        let (time, coordinates) = (self.now.time, self.now.coordinates);
+        let (time, coordinates) = (now.time, now.coordinates);
         let change = M::increment(&equations, time, &coordinates, step);
         self.steps.start += 1;
         let next = if self.steps.is_empty() {
@@ -128,31 +124,29 @@ impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for F
         } else {
             self.span.start + real(self.steps.start) * step
         };
-        if !self.now.arrive(change, next) {
+        if !now.arrive(change, next) {
             let rates = equations.rates(time, &coordinates);
             let is_finite = rates.as_ref().iter().all(|rate| rate.is_finite());
             return Err(if M::IS_IMPLICIT && is_finite {
-                let state = self.now.state();
+                let state = now.state();
                 IntegrationError::StepTooLong { time, state, step }
             } else {
-                self.now.not_finite()
+                now.not_finite()
             });
         }
-        self.before = (time, coordinates);
+        *before = (time, coordinates);
         Ok(())
     }
 
     fn enter(&mut self, stretch: Stretch) {
-        self.within.enter(stretch);
+        self.track.stretch = stretch;
     }
 
-    fn replace(&mut self, state: &B::State) {
-        self.now.replace(state);
+    fn replace(&mut self, _body: &B, state: &B::State) {
+        self.track.now.replace(state);
     }
 
-    fn within(&self, time: f64, input: &B::Input) -> B::State {
-        let (start, coordinates) = &self.before;
-        let before = B::State::from_coordinates(coordinates);
-        runge_kutta_step::<M, _>(&self.within, *start, &before, input, time - start)
+    fn within(&self, body: &B, time: f64, input: &B::Input) -> B::State {
+        self.track.within::<M, B>(body, time, input)
     }
 }

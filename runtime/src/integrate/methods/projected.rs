@@ -1,10 +1,10 @@
 //! Methods for bodies under constraints: each step ends with a projection.
 
 use core::fmt;
+use core::marker::PhantomData;
 use core::ops::Range;
 
 use super::commutator_free::cf4_step;
-use crate::bodies::body::RigidBody;
 use crate::bodies::constrained::{Constrained, Inconsistent};
 use crate::bodies::switches::Stretch;
 use crate::integrate::steps::error::IntegrationError;
@@ -34,20 +34,18 @@ impl<M: Tolerant> Tolerant for Projected<M> {
 }
 
 impl<B: Constrained<Scalar = f64, State: Coordinates>, M: Method<B>> Method<B> for Projected<M> {
-    type Run<'b>
-        = ProjectedRun<'b, B, M::Run<'b>>
-    where
-        B: 'b;
+    type Run = ProjectedRun<B, M::Run>;
 
-    fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> Self::Run<'b> {
+    fn start(self, body: &B, time: f64, state: &B::State) -> Self::Run {
         ProjectedRun {
-            within: Within::new(body, time),
+            stretch: Stretch::since(time),
             run: self.0.start(body, time, state),
             is_checked: false,
             is_on_constraints: false,
             has_switched: false,
             longest: 0.0,
             short: 0,
+            kind: PhantomData,
         }
     }
 
@@ -57,8 +55,8 @@ impl<B: Constrained<Scalar = f64, State: Coordinates>, M: Method<B>> Method<B> f
 }
 
 /// A motion that is projected onto its constraints after every step.
-pub struct ProjectedRun<'b, B: RigidBody, R> {
-    within: Within<'b, B>,
+pub struct ProjectedRun<B, R> {
+    stretch: Stretch,
     run: R,
     /// Whether the start was checked.
     is_checked: bool,
@@ -69,6 +67,7 @@ pub struct ProjectedRun<'b, B: RigidBody, R> {
     longest: f64,
     /// The number of consecutive short steps where constraints depend on each other.
     short: usize,
+    kind: PhantomData<fn(&B)>,
 }
 
 /// A step is short if it is at most this fraction of the longest.
@@ -81,7 +80,7 @@ const FAR: f64 = 1e-6;
 /// How often the place of a jump within a step is halved.
 const HALVINGS: usize = 40;
 
-impl<B: RigidBody, R: fmt::Debug> fmt::Debug for ProjectedRun<'_, B, R> {
+impl<B, R: fmt::Debug> fmt::Debug for ProjectedRun<B, R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("ProjectedRun")
             .field("run", &self.run)
@@ -125,23 +124,24 @@ impl<B: Constrained<Scalar = f64>> Within<'_, B> {
     }
 }
 
-impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> ProjectedRun<'_, B, R> {
+impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> ProjectedRun<B, R> {
     /// Projects the state of the motion, if it is then no further than `far` from where it was;
     /// `good` is the last good state.
     fn project(
         &mut self,
+        within: &Within<'_, B>,
         input: &B::Input,
         good: &(f64, B::State),
         far: Option<f64>,
     ) -> Result<(), IntegrationError<B::State>> {
         let (found, at) = (self.run.state(), self.run.time());
         let mut state = found.clone();
-        let projected = self.within.project(at, &mut state, input);
+        let projected = within.project(at, &mut state, input);
         let moved = distance(&found, &state);
         if let Some(far) = far
             && moved > far
-            && (at == good.0 || self.jumps(input, good.0, [far, moved]))
-            && let Err(violated) = self.within.check(at, &found, input)
+            && (at == good.0 || self.jumps(within, input, good.0, [far, moved]))
+            && let Err(violated) = within.check(at, &found, input)
         {
             let (time, state) = good.clone();
             return Err(IntegrationError::Jump {
@@ -158,7 +158,7 @@ impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> ProjectedRun<'
                 violated,
             }
         })?;
-        self.run.replace(&state);
+        self.run.replace(within.body, &state);
         Ok(())
     }
 
@@ -166,16 +166,22 @@ impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> ProjectedRun<'
     /// the cause, shorter and shorter steps end nearer and nearer to them. At a jump, two steps of
     /// almost the same length end near and far.
     #[cold]
-    fn jumps(&self, input: &B::Input, start: f64, [far, moved]: [f64; 2]) -> bool {
+    fn jumps(
+        &self,
+        within: &Within<'_, B>,
+        input: &B::Input,
+        start: f64,
+        [far, moved]: [f64; 2],
+    ) -> bool {
         let length = self.run.time() - start;
         let (mut near, mut beyond, mut last) = (0.0, 1.0, moved);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (near + beyond);
             let time = start + middle * length;
-            let found = self.run.within(time, input);
+            let found = self.run.within(within.body, time, input);
             let mut state = found.clone();
             // a state that cannot be projected moves as far as it can
-            let _ = self.within.project(time, &mut state, input);
+            let _ = within.project(time, &mut state, input);
             let distance = distance(&found, &state);
             if distance > far {
                 (beyond, last) = (middle, distance);
@@ -190,14 +196,14 @@ impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> ProjectedRun<'
     /// the last good state.
     fn passes(
         &mut self,
+        within: &Within<'_, B>,
         input: &B::Input,
         (since, state): &(f64, B::State),
     ) -> Result<(), IntegrationError<B::State>> {
         let step = (self.run.time() - since).abs();
         self.longest = self.longest.max(step);
         let found = if step < SHORT * self.longest {
-            self.within
-                .dependent(self.run.time(), &self.run.state(), input)
+            within.dependent(self.run.time(), &self.run.state(), input)
         } else {
             None
         };
@@ -216,7 +222,7 @@ impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> ProjectedRun<'
     /// it.
     #[cold]
     fn explained(
-        &self,
+        within: &Within<'_, B>,
         error: IntegrationError<B::State>,
         input: &B::Input,
     ) -> IntegrationError<B::State> {
@@ -226,7 +232,7 @@ impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> ProjectedRun<'
             _ => false,
         };
         let (time, state) = (error.time(), error.state().clone());
-        let found = is_undetermined.then(|| self.within.dependent(time, &state, input));
+        let found = is_undetermined.then(|| within.dependent(time, &state, input));
         match found.flatten() {
             Some(constraint) => IntegrationError::Undetermined {
                 time,
@@ -238,14 +244,8 @@ impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> ProjectedRun<'
     }
 }
 
-impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> Run<B>
-    for ProjectedRun<'_, B, R>
-{
+impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> Run<B> for ProjectedRun<B, R> {
     const PLACES: usize = R::PLACES;
-
-    fn body(&self) -> &B {
-        self.within.body
-    }
 
     fn time(&self) -> f64 {
         self.run.time()
@@ -255,11 +255,17 @@ impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> Run<B>
         self.run.state()
     }
 
-    fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
+    fn advance(
+        &mut self,
+        body: &B,
+        end: f64,
+        input: &B::Input,
+    ) -> Result<(), IntegrationError<B::State>> {
+        let within = &Within::new(body, &self.stretch);
         let good = (self.run.time(), self.run.state());
         if !self.is_checked {
             let (time, state) = good.clone();
-            let checked = self.within.check(time, &state, input);
+            let checked = within.check(time, &state, input);
             checked.map_err(|violated| IntegrationError::Inconsistent {
                 time,
                 state,
@@ -271,20 +277,20 @@ impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> Run<B>
         let far = self.run.tolerance().map(Scalar::sqrt);
         if !self.is_on_constraints {
             let far = self.has_switched.then_some(far.unwrap_or(FAR));
-            self.project(input, &good, far)?;
+            self.project(within, input, &good, far)?;
             (self.is_on_constraints, self.has_switched) = (true, false);
         }
-        let reached = self.run.advance(end, input);
-        let reached = reached.and_then(|()| self.project(input, &good, far));
-        reached.map_err(|error| self.explained(error, input))?;
-        self.passes(input, &good)
+        let reached = self.run.advance(body, end, input);
+        let reached = reached.and_then(|()| self.project(within, input, &good, far));
+        reached.map_err(|error| Self::explained(within, error, input))?;
+        self.passes(within, input, &good)
     }
 
     /// The projected state, if there is one nearby.
-    fn within(&self, time: f64, input: &B::Input) -> B::State {
-        let along = self.run.within(time, input);
+    fn within(&self, body: &B, time: f64, input: &B::Input) -> B::State {
+        let along = self.run.within(body, time, input);
         let mut state = along.clone();
-        match self.within.project(time, &mut state, input) {
+        match Within::new(body, &self.stretch).project(time, &mut state, input) {
             Ok(()) => state,
             Err(_) => along,
         }
@@ -307,13 +313,13 @@ impl<B: Constrained<Scalar = f64, State: Coordinates>, R: Run<B>> Run<B>
     /// Constraints may change at a switch.
     fn enter(&mut self, stretch: Stretch) {
         self.run.enter(stretch);
-        self.within.enter(stretch);
+        self.stretch = stretch;
         self.has_switched |= self.is_on_constraints;
         self.is_on_constraints = false;
     }
 
-    fn replace(&mut self, state: &B::State) {
-        self.run.replace(state);
+    fn replace(&mut self, body: &B, state: &B::State) {
+        self.run.replace(body, state);
         self.is_checked = false;
         (self.is_on_constraints, self.has_switched) = (false, false);
     }
@@ -343,7 +349,10 @@ pub fn cf4_projected<B: Constrained<Scalar = f64>>(
     steps: usize,
 ) -> Result<B::State, Inconsistent> {
     let step = (times.end - times.start) / real(steps);
-    let (mut state, within) = (state.clone(), Within::new(body, times.start));
+    let (mut state, within) = (
+        state.clone(),
+        Within::new(body, &Stretch::since(times.start)),
+    );
     within.check(times.start, &state, input)?;
     within.project(times.start, &mut state, input)?;
     for k in 0..steps {

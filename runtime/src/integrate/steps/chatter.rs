@@ -85,6 +85,24 @@ impl Watch {
         self.longest = larger(self.longest, step.abs());
     }
 
+    /// The number of steps that were not cut short since the last check, and the longest step \[s\].
+    #[cfg(feature = "ensemble")]
+    pub(crate) fn seen(&self) -> (f64, f64) {
+        (f64::from(self.steps), self.longest)
+    }
+
+    /// Sets them.
+    #[cfg(feature = "ensemble")]
+    pub(crate) fn put(&mut self, steps: f64, longest: f64) {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "whole, positive and at most `LOOK`"
+        )]
+        let steps = steps as u32;
+        (self.steps, self.longest) = (steps, longest);
+    }
+
     /// Whether a check is due.
     #[cfg_attr(not(unoptimized), inline(always))]
     pub(crate) fn is_due(&self) -> bool {

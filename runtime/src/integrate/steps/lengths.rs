@@ -1,6 +1,8 @@
 //! The control of step lengths by the errors of steps, for one motion or several at once.
 
 use super::size::near_root;
+#[cfg(feature = "ensemble")]
+use crate::numbers::lanes::{Lanes, Register};
 use crate::numbers::scalar::{Scalar, number};
 
 /// The fraction of the step that the last error permits, and the bounds of its change.
@@ -43,6 +45,16 @@ impl<T: Scalar> Lengths<T> {
         }
     }
 
+    /// Those of one lane.
+    #[cfg(feature = "ensemble")]
+    pub(crate) fn of_lane(&self, lane: usize) -> Lengths<f64> {
+        Lengths {
+            permitted: self.permitted.lane(lane),
+            longest: self.longest.lane(lane),
+            error: self.error.lane(lane),
+        }
+    }
+
     pub(in crate::integrate) fn error(&self) -> T {
         self.error
     }
@@ -77,6 +89,16 @@ impl<T: Scalar> Lengths<T> {
             error: T::select(is_accepted, zero, error),
         };
         is_accepted
+    }
+}
+
+#[cfg(feature = "ensemble")]
+impl<S: Register> Lengths<Lanes<S>> {
+    /// Replaces those of one lane.
+    pub(crate) fn put(&mut self, lane: usize, lengths: &Lengths<f64>) {
+        self.permitted.put(lane, lengths.permitted);
+        self.longest.put(lane, lengths.longest);
+        self.error.put(lane, lengths.error);
     }
 }
 

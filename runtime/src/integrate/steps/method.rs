@@ -8,12 +8,10 @@ use crate::bodies::switches::Stretch;
 /// A method of integration for bodies of some kind.
 pub trait Method<B: RigidBody<Scalar = f64>>: Copy + Send + Sync {
     /// A motion in progress.
-    type Run<'b>: Run<B>
-    where
-        B: 'b;
+    type Run: Run<B>;
 
-    /// Begins a motion at a state.
-    fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> Self::Run<'b>;
+    /// Begins the motion of a body at a state.
+    fn start(self, body: &B, time: f64, state: &B::State) -> Self::Run;
 
     /// Its setting, with its value, if it has one. An integration refuses an impossible value
     /// before it begins.
@@ -32,13 +30,10 @@ pub trait Tolerant: Sized {
     fn with_tolerance(tolerance: f64) -> Self;
 }
 
-/// A motion in progress by some method.
-pub trait Run<B: RigidBody<Scalar = f64>> {
+/// A motion in progress by some method, apart from the body, which is the same in all calls.
+pub trait Run<B: RigidBody<Scalar = f64>>: Send {
     /// The number of points within a step at which events are searched.
     const PLACES: usize;
-
-    /// The moving body.
-    fn body(&self) -> &B;
 
     /// The current time \[s\].
     fn time(&self) -> f64;
@@ -51,21 +46,31 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
     ///
     /// # Errors
     /// [`IntegrationError`]; the motion stays where it is.
-    fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>>;
+    fn advance(
+        &mut self,
+        body: &B,
+        end: f64,
+        input: &B::Input,
+    ) -> Result<(), IntegrationError<B::State>>;
 
     /// The same; if mass or inertia change, checks that the body is possible at start and end.
     ///
     /// # Errors
     /// As for [`advance`](Self::advance), and [`IntegrationError::InvalidBody`].
-    fn step(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
+    fn step(
+        &mut self,
+        body: &B,
+        end: f64,
+        input: &B::Input,
+    ) -> Result<(), IntegrationError<B::State>> {
         if !B::CHANGES {
-            return self.advance(end, input);
+            return self.advance(body, end, input);
         }
         let (time, state) = (self.time(), self.state());
-        let mut possible = self.body().possible(time, &state, input);
+        let mut possible = body.possible(time, &state, input);
         if possible.is_ok() {
-            self.advance(end, input)?;
-            possible = self.body().possible(self.time(), &self.state(), input);
+            self.advance(body, end, input)?;
+            possible = body.possible(self.time(), &self.state(), input);
         }
         possible.map_err(|invalid| IntegrationError::InvalidBody {
             time,
@@ -75,7 +80,7 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
     }
 
     /// The state within the last step, which had this input.
-    fn within(&self, time: f64, input: &B::Input) -> B::State;
+    fn within(&self, body: &B, time: f64, input: &B::Input) -> B::State;
 
     /// The bound of the error of a step, if the method has one.
     fn tolerance(&self) -> Option<f64> {
@@ -92,7 +97,7 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
     fn enter(&mut self, _stretch: Stretch) {}
 
     /// Continues from another state at the same time.
-    fn replace(&mut self, state: &B::State);
+    fn replace(&mut self, body: &B, state: &B::State);
 
     /// Advances until a time \[s\] lies within the last step, with steps that need not end
     /// there, but not beyond `end`.
@@ -101,6 +106,7 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
     /// As for [`advance`](Self::advance).
     fn seek(
         &mut self,
+        body: &B,
         time: f64,
         end: f64,
         input: &B::Input,
@@ -108,7 +114,7 @@ pub trait Run<B: RigidBody<Scalar = f64>> {
         let forwards = end >= self.time();
         let is_before = |now: f64| if forwards { now < time } else { now > time };
         while is_before(self.time()) {
-            self.step(end, input)?;
+            self.step(body, end, input)?;
         }
         Ok(())
     }

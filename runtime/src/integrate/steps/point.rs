@@ -7,12 +7,12 @@ use crate::state::Coordinates;
 /// A time and a state that accumulate increments, with their rounding errors: over long
 /// runs rounding grows with the square root of the number of steps instead of the number (W.
 /// Kahan, Comm. ACM 8 (1965) 40).
-pub(in crate::integrate) struct Point<S: Coordinates<Scalar = f64>> {
-    pub(in crate::integrate) time: f64,
-    pub(in crate::integrate) coordinates: S::Array,
+pub(crate) struct Point<S: Coordinates<Scalar = f64>> {
+    pub(crate) time: f64,
+    pub(crate) coordinates: S::Array,
     /// The rounding error of the time, to be added to it.
-    late: f64,
-    lost: S::Array,
+    pub(crate) late: f64,
+    pub(crate) lost: S::Array,
 }
 
 impl<S: Coordinates<Scalar = f64>> Point<S> {

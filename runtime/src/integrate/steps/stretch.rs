@@ -102,29 +102,20 @@ pub(crate) struct Within<'b, B: RigidBody> {
 }
 
 impl<'b, B: RigidBody<Scalar = f64>> Within<'b, B> {
-    /// For all of time, with an input that is given at a time.
-    pub(crate) fn new(body: &'b B, given: f64) -> Self {
-        let mut within = Self {
-            body,
-            lower: 0.0,
-            upper: 0.0,
-            given,
-        };
-        within.enter(Stretch {
-            given,
-            ..Stretch::ALL
-        });
-        within
-    }
-
-    pub(crate) fn enter(&mut self, stretch: Stretch) {
+    #[cfg_attr(not(unoptimized), inline(always))]
+    pub(crate) fn new(body: &'b B, stretch: &Stretch) -> Self {
         let Stretch {
             lower,
             upper,
             given,
             ..
-        } = stretch;
-        (self.lower, self.upper, self.given) = (lower, upper, given);
+        } = *stretch;
+        Self {
+            body,
+            lower,
+            upper,
+            given,
+        }
     }
 }
 

@@ -16,6 +16,7 @@ use crate::state::{Coordinates, State};
 mod classical;
 mod dormand_prince;
 mod midpoint;
+pub mod track;
 mod tsitouras;
 mod verner;
 

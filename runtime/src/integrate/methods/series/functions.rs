@@ -45,7 +45,7 @@ pub fn taylor<B: Taylor>(
     let checked = checked.and_then(|()| setting::check_state(state));
     checked.map_err(|invalid| IntegrationError::refused(invalid, times.start, state.clone()))?;
     let mut run = TaylorSeries { tolerance }.start(body, times.start, state);
-    let reached = run.seek(times.end, times.end, input);
+    let reached = run.seek(body, times.end, times.end, input);
     let forwards = times.end >= times.start;
     reached.map_err(|error| error.named(body, input, forwards))?;
     Ok(run.state())

@@ -8,7 +8,7 @@ use crate::integrate::steps::method::{Method, Run, Tolerant};
 use crate::integrate::steps::setting::Setting;
 use crate::integrate::steps::step;
 use crate::taylor::Taylor;
-use motion::Motion;
+use motion::Along;
 
 pub mod functions;
 pub mod motion;
@@ -40,16 +40,16 @@ impl Tolerant for TaylorSeries {
 /// all problems of the example `work_precision`.
 macro_rules! orders {
     ($($least:pat => $order:ident $count:literal,)*) => {
-        enum Motions<'b, B: Taylor> {
-            $($order(Motion<'b, B, $count>),)*
+        enum Motions<B: Taylor> {
+            $($order(Along<B, $count>),)*
         }
 
         impl<B: Taylor> Method<B> for TaylorSeries {
-            type Run<'b> = SeriesRun<'b, B> where B: 'b;
+            type Run = SeriesRun<B>;
 
-            fn start<'b>(self, body: &'b B, time: f64, state: &B::State) -> SeriesRun<'b, B> {
+            fn start(self, body: &B, time: f64, state: &B::State) -> SeriesRun<B> {
                 let motion = match self.tolerance {
-                    $($least => Motions::$order(Motion::new(body, time, state)),)*
+                    $($least => Motions::$order(Along::new(body, time, state)),)*
                 };
                 SeriesRun { motion, tolerance: self.tolerance, start: time, length: 0.0 }
             }
@@ -78,26 +78,25 @@ orders! {
 }
 
 /// A motion along its series.
-pub struct SeriesRun<'b, B: Taylor> {
-    motion: Motions<'b, B>,
+pub struct SeriesRun<B: Taylor> {
+    motion: Motions<B>,
     tolerance: f64,
     /// The start \[s\] and the length of the last step.
     start: f64,
     length: f64,
 }
 
-impl<B: Taylor> fmt::Debug for SeriesRun<'_, B> {
+impl<B: Taylor> fmt::Debug for SeriesRun<B> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        with!(&self.motion, motion => motion.fmt(f))
+        f.debug_struct("SeriesRun")
+            .field("tolerance", &self.tolerance)
+            .field("time", &self.time())
+            .finish_non_exhaustive()
     }
 }
 
-impl<B: Taylor> Run<B> for SeriesRun<'_, B> {
+impl<B: Taylor> Run<B> for SeriesRun<B> {
     const PLACES: usize = step::PLACES;
-
-    fn body(&self) -> &B {
-        with!(&self.motion, motion => motion.body())
-    }
 
     fn time(&self) -> f64 {
         with!(&self.motion, motion => motion.time())
@@ -107,9 +106,14 @@ impl<B: Taylor> Run<B> for SeriesRun<'_, B> {
         with!(&self.motion, motion => motion.state())
     }
 
-    fn advance(&mut self, end: f64, input: &B::Input) -> Result<(), IntegrationError<B::State>> {
+    fn advance(
+        &mut self,
+        body: &B,
+        end: f64,
+        input: &B::Input,
+    ) -> Result<(), IntegrationError<B::State>> {
         let step = with!(&mut self.motion, motion => {
-            let step = motion.advance_towards(end, input, self.tolerance, true)?;
+            let step = motion.advance_towards(body, end, input, (self.tolerance, true))?;
             step.map(|step| (step.start(), step.end() - step.start()))
         });
         if let Some(step) = step {
@@ -118,7 +122,7 @@ impl<B: Taylor> Run<B> for SeriesRun<'_, B> {
         Ok(())
     }
 
-    fn within(&self, time: f64, _input: &B::Input) -> B::State {
+    fn within(&self, _body: &B, time: f64, _input: &B::Input) -> B::State {
         with!(&self.motion, motion => motion.taken(self.start, self.length).at(time))
     }
 
@@ -138,7 +142,7 @@ impl<B: Taylor> Run<B> for SeriesRun<'_, B> {
         with!(&mut self.motion, motion => motion.enter(stretch));
     }
 
-    fn replace(&mut self, state: &B::State) {
-        with!(&mut self.motion, motion => motion.replace(state));
+    fn replace(&mut self, body: &B, state: &B::State) {
+        with!(&mut self.motion, motion => motion.replace(body, state));
     }
 }

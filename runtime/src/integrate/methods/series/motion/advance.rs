@@ -1,41 +1,23 @@
 //! Single steps of a motion.
 
-use super::Motion;
+use super::Along;
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::setting::{self, Setting};
 use crate::integrate::steps::size::finest;
 use crate::integrate::steps::step::Step;
+use crate::integrate::steps::stretch::Within;
 use crate::taylor::{Taylor, increment};
 
-impl<B: Taylor, const N: usize> Motion<'_, B, N> {
-    /// Takes the longest step towards `end` \[s\] that `tolerance` permits (as in
-    /// [`taylor`](crate::integrate::taylor())), with the given input from here on; none if
-    /// the end is reached.
-    ///
-    /// # Errors
-    /// [`IntegrationError`]; the motion stays where it is.
-    pub fn step_towards(
-        &mut self,
-        end: f64,
-        input: &B::Input,
-        tolerance: f64,
-    ) -> Result<Option<Step<'_, B::State>>, IntegrationError<B::State>> {
-        // a caller that steps by hand may give another input each time, if there is any
-        let is_held = size_of::<B::Input>() == 0;
-        if !is_held {
-            self.take_input();
-        }
-        self.advance_towards(end, input, tolerance, is_held)
-    }
-
-    /// The same, with the input of the previous step, or after [`renew`](Self::renew); `is_held` if
-    /// the next step probably has the same input.
+impl<B: Taylor, const N: usize> Along<B, N> {
+    /// Takes the longest step towards `end` \[s\] that a tolerance permits, with the input of the
+    /// previous step, or after [`renew`](Self::renew); `is_held` if the next step probably has the same
+    /// input. None if the end is reached.
     pub(in crate::integrate::methods::series) fn advance_towards(
         &mut self,
+        body: &B,
         end: f64,
         input: &B::Input,
-        tolerance: f64,
-        is_held: bool,
+        (tolerance, is_held): (f64, bool),
     ) -> Result<Option<Step<'_, B::State>>, IntegrationError<B::State>> {
         let (time, rest) = (self.now.time, self.now.rest(end));
         let given = [(Setting::Tolerance, tolerance)];
@@ -48,8 +30,9 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         if rest == 0.0 {
             return Ok(None);
         }
-        self.look(rest, input, tolerance)?;
-        self.expand(input);
+        let within = &Within::new(body, &self.stretch);
+        self.look(within, rest, input, tolerance)?;
+        self.expand(within, input);
         let until = end;
         let end = match self.doubt {
             Some(doubt) if (doubt - time) * rest > 0.0 && (doubt - end) * rest < 0.0 => doubt,
@@ -59,54 +42,44 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         let passed = if permitted >= self.rough && permitted > 0.0 {
             None
         } else {
-            self.pass(permitted, end, input, tolerance)
+            self.pass(within, permitted, end, (input, tolerance))
         };
-        let step = match passed {
-            Some(step) => step,
-            None => self.follow(permitted, end, input, (tolerance, is_held && self.goes_on))?,
+        let step = if let Some(step) = passed {
+            step
+        } else {
+            let goes_on = is_held && self.goes_on;
+            self.follow(within, (permitted, end), input, (tolerance, goes_on))?
         };
         self.watch.saw(step, self.now.time == until);
         Ok(Some(self.taken(time, step)))
     }
 
-    /// Takes a step of this length \[s\], with the given input from here on, whatever its
-    /// error.
-    ///
-    /// # Errors
-    /// [`IntegrationError::NotFinite`]; the motion stays where it is.
-    pub fn step(
+    /// Takes a step of this length \[s\], whatever its error.
+    pub(super) fn advance_by(
         &mut self,
+        body: &B,
         step: f64,
         input: &B::Input,
     ) -> Result<Step<'_, B::State>, IntegrationError<B::State>> {
         let time = self.now.time;
-        self.take_input();
-        self.expand(input);
-        self.advance(step)?;
-        Ok(self.taken(time, step))
+        self.expand(&Within::new(body, &self.stretch), input);
+        let change = increment::<B::State>(self.expansions.series().coefficients(), step);
+        if self.now.advance(change, step) {
+            return Ok(self.taken(time, step));
+        }
+        Err(IntegrationError::lost(time, self.state()))
     }
 
     /// Called when an input is given.
-    fn take_input(&mut self) {
-        self.within.given = self.now.time;
+    pub(super) fn take_input(&mut self) {
+        self.stretch.given = self.now.time;
         self.renew();
     }
 
     /// The series at the current point.
     #[cfg_attr(not(unoptimized), inline(always))]
-    fn expand(&mut self, input: &B::Input) {
+    fn expand(&mut self, within: &Within<'_, B>, input: &B::Input) {
         self.is_crossing = false;
-        self.expansions.expand(&self.within, &self.now, input);
-    }
-
-    /// Advances along the series.
-    #[cfg_attr(not(unoptimized), inline(always))]
-    fn advance(&mut self, step: f64) -> Result<(), IntegrationError<B::State>> {
-        let change = increment::<B::State>(self.expansions.series().coefficients(), step);
-        if self.now.advance(change, step) {
-            return Ok(());
-        }
-        let (time, state) = (self.now.time, self.state());
-        Err(IntegrationError::lost(time, state))
+        self.expansions.expand(within, &self.now, input);
     }
 }

@@ -1,6 +1,6 @@
 //! Steps that agree with the equations, and steps over places without series.
 
-use super::Motion;
+use super::Along;
 use super::crossing::cross;
 use super::permitted::GROWTH;
 use crate::integrate::methods::adaptive::first;
@@ -9,6 +9,7 @@ use crate::integrate::steps::agreement::{Agreement, Seen};
 use crate::integrate::steps::equations::Equations;
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::size::larger;
+use crate::integrate::steps::stretch::Within;
 use crate::taylor::{Taylor, increment};
 
 /// The ratio of a step to those before it below which the motion may not be smooth.
@@ -16,14 +17,14 @@ const SUDDEN: f64 = 1.0 / 8.0;
 /// The largest growth from one crossing to the next.
 const GROW: f64 = 6.0;
 
-impl<B: Taylor, const N: usize> Motion<'_, B, N> {
+impl<B: Taylor, const N: usize> Along<B, N> {
     /// Follows the series for at most this time \[s\], as far as the equations agree; crosses the
     /// place if they do not agree at all.
     #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn follow(
         &mut self,
-        mut length: f64,
-        end: f64,
+        within: &Within<'_, B>,
+        (mut length, end): (f64, f64),
         input: &B::Input,
         (tolerance, is_held): (f64, bool),
     ) -> Result<f64, IntegrationError<B::State>> {
@@ -33,7 +34,8 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
             let step = if is_last { rest } else { length.copysign(rest) };
             let is_lost = (time + step) - time == 0.0 && !is_last;
             if is_lost || step.is_nan() {
-                let passed = is_refused.then(|| self.pass(f64::NAN, end, input, tolerance));
+                let passed =
+                    is_refused.then(|| self.pass(within, f64::NAN, end, (input, tolerance)));
                 return passed.flatten().ok_or_else(|| {
                     let state = self.state();
                     if step.is_nan() {
@@ -44,7 +46,12 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
                 });
             }
             let goes_on = is_held && !is_last;
-            match self.agreed(step, is_last.then_some(end), input, (tolerance, goes_on)) {
+            match self.agreed(
+                within,
+                (step, is_last.then_some(end)),
+                input,
+                (tolerance, goes_on),
+            ) {
                 Ok(()) => {
                     self.length = step.abs();
                     self.looked_at = if is_last && self.looked_at > self.length {
@@ -73,6 +80,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
     #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn look(
         &mut self,
+        within: &Within<'_, B>,
         rest: f64,
         input: &B::Input,
         tolerance: f64,
@@ -82,7 +90,7 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
         }
         let equations = Seen {
             equations: Equations {
-                body: &self.within,
+                body: within,
                 input,
             },
             axes: &self.axes,
@@ -100,19 +108,19 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
     #[cfg_attr(not(unoptimized), inline(always))]
     fn agreed(
         &mut self,
-        step: f64,
-        end: Option<f64>,
+        within: &Within<'_, B>,
+        (step, end): (f64, Option<f64>),
         input: &B::Input,
         (tolerance, goes_on): (f64, bool),
     ) -> Result<(), f64> {
         let is_usual = step.abs() <= GROWTH * self.looked_at;
-        if is_usual && goes_on && self.led(step, input, tolerance) {
+        if is_usual && goes_on && self.led(within, step, input, tolerance) {
             return Ok(());
         }
         let agreement = Agreement {
             equations: &Seen {
                 equations: Equations {
-                    body: &self.within,
+                    body: within,
                     input,
                 },
                 axes: &self.axes,
@@ -136,17 +144,17 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
 
     /// Takes a step, if the series at its end begins with its final rates.
     #[cfg_attr(not(unoptimized), inline(always))]
-    fn led(&mut self, step: f64, input: &B::Input, tolerance: f64) -> bool {
+    fn led(&mut self, within: &Within<'_, B>, step: f64, input: &B::Input, tolerance: f64) -> bool {
         let mut change = increment::<B::State>(self.expansions.series().coefficients(), step);
         let Some(end) = self.now.moved(&mut change) else {
             return false;
         };
         let after = self.now.after(&change, step);
-        let [series, ahead] = self.expansions.ahead(&self.within, &after, input);
+        let [series, ahead] = self.expansions.ahead(within, &after, input);
         let agreement = Agreement {
             equations: &Seen {
                 equations: Equations {
-                    body: &self.within,
+                    body: within,
                     input,
                 },
                 axes: &self.axes,
@@ -170,14 +178,14 @@ impl<B: Taylor, const N: usize> Motion<'_, B, N> {
     #[cold]
     pub(super) fn pass(
         &mut self,
+        within: &Within<'_, B>,
         permitted: f64,
         end: f64,
-        input: &B::Input,
-        tolerance: f64,
+        (input, tolerance): (&B::Input, f64),
     ) -> Option<f64> {
         let equations = Seen {
             equations: Equations {
-                body: &self.within,
+                body: within,
                 input,
             },
             axes: &self.axes,

@@ -30,9 +30,9 @@ use core::fmt;
 
 use crate::bodies::switches::Stretch;
 use crate::integrate::steps::chatter::{LOOK, Watch};
+use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::point::Point;
 use crate::integrate::steps::step::Step;
-use crate::integrate::steps::stretch::Within;
 use crate::state::Coordinates;
 use crate::taylor::{Axes, Taylor};
 
@@ -72,7 +72,78 @@ use expansions::Expansions;
 /// # Ok::<(), newton_euler::integrate::IntegrationError<Translation>>(())
 /// ```
 pub struct Motion<'b, B: Taylor, const N: usize> {
-    within: Within<'b, B>,
+    body: &'b B,
+    along: Along<B, N>,
+}
+
+impl<B: Taylor, const N: usize> fmt::Debug for Motion<'_, B, N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Motion")
+            .field("time", &self.along.now.time)
+            .field("coordinates", &self.along.now.coordinates)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
+    /// A motion that begins at a state.
+    #[must_use]
+    pub fn new(body: &'b B, time: f64, state: &B::State) -> Self {
+        let along = Along::new(body, time, state);
+        Self { body, along }
+    }
+
+    /// The current time \[s\].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.along.now.time
+    }
+
+    /// The current state.
+    #[must_use]
+    pub fn state(&self) -> B::State {
+        self.along.state()
+    }
+
+    /// Takes the longest step towards `end` \[s\] that `tolerance` permits (as in
+    /// [`taylor`](crate::integrate::taylor())), with the given input from here on; none if
+    /// the end is reached.
+    ///
+    /// # Errors
+    /// [`IntegrationError`]; the motion stays where it is.
+    pub fn step_towards(
+        &mut self,
+        end: f64,
+        input: &B::Input,
+        tolerance: f64,
+    ) -> Result<Option<Step<'_, B::State>>, IntegrationError<B::State>> {
+        // a caller that steps by hand may give another input each time, if there is any
+        let is_held = size_of::<B::Input>() == 0;
+        if !is_held {
+            self.along.take_input();
+        }
+        self.along
+            .advance_towards(self.body, end, input, (tolerance, is_held))
+    }
+
+    /// Takes a step of this length \[s\], with the given input from here on, whatever its
+    /// error.
+    ///
+    /// # Errors
+    /// [`IntegrationError::NotFinite`]; the motion stays where it is.
+    pub fn step(
+        &mut self,
+        step: f64,
+        input: &B::Input,
+    ) -> Result<Step<'_, B::State>, IntegrationError<B::State>> {
+        self.along.take_input();
+        self.along.advance_by(self.body, step, input)
+    }
+}
+
+/// A motion along its series, apart from the body.
+pub(super) struct Along<B: Taylor, const N: usize> {
+    stretch: Stretch,
     /// The axes of the coordinates, for the whole motion.
     axes: Axes,
     now: Point<B::State>,
@@ -94,19 +165,9 @@ pub struct Motion<'b, B: Taylor, const N: usize> {
     watch: Watch,
 }
 
-impl<B: Taylor, const N: usize> fmt::Debug for Motion<'_, B, N> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Motion")
-            .field("time", &self.now.time)
-            .field("coordinates", &self.now.coordinates)
-            .finish_non_exhaustive()
-    }
-}
-
-impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
+impl<B: Taylor, const N: usize> Along<B, N> {
     /// A motion that begins at a state.
-    #[must_use]
-    pub fn new(body: &'b B, time: f64, state: &B::State) -> Self {
+    pub(super) fn new(body: &B, time: f64, state: &B::State) -> Self {
         // at an invalid time nothing rotates
         let axes = if time.is_finite() {
             body.axes(time, state)
@@ -114,7 +175,7 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
             Axes::BODY
         };
         Self {
-            within: Within::new(body, time),
+            stretch: Stretch::since(time),
             axes,
             now: Point::new(time, state),
             length: 0.0,
@@ -130,16 +191,12 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
         }
     }
 
-    pub(super) fn body(&self) -> &'b B {
-        self.within.body
-    }
-
     pub(super) fn heads_for(&mut self, end: f64) {
         self.watch.heads_for(end);
     }
 
     pub(super) fn enter(&mut self, stretch: Stretch) {
-        self.within.enter(stretch);
+        self.stretch = stretch;
         self.renew();
     }
 
@@ -149,22 +206,20 @@ impl<'b, B: Taylor, const N: usize> Motion<'b, B, N> {
     }
 
     /// Continues from another state at the same time.
-    pub(super) fn replace(&mut self, state: &B::State) {
-        self.axes = self.body().axes(self.now.time, state);
+    pub(super) fn replace(&mut self, body: &B, state: &B::State) {
+        self.axes = body.axes(self.now.time, state);
         self.now.replace(state);
         self.goes_on = false;
         self.renew();
     }
 
     /// The current time \[s\].
-    #[must_use]
-    pub fn time(&self) -> f64 {
+    pub(super) fn time(&self) -> f64 {
         self.now.time
     }
 
     /// The current state.
-    #[must_use]
-    pub fn state(&self) -> B::State {
+    pub(super) fn state(&self) -> B::State {
         self.axes.state(&self.now.coordinates, self.now.time)
     }
 

@@ -1,6 +1,6 @@
 //! The step length that the last coefficients of a series permit.
 
-use super::Motion;
+use super::Along;
 use crate::integrate::steps::size::{relative_size, root};
 use crate::taylor::Taylor;
 
@@ -9,7 +9,7 @@ const SAFETY: f64 = 0.9;
 /// A step that exceeds the previous one by more than this factor is checked twice.
 pub(super) const GROWTH: f64 = 1.5;
 
-impl<B: Taylor, const N: usize> Motion<'_, B, N> {
+impl<B: Taylor, const N: usize> Along<B, N> {
     /// The longest step whose last two terms are below `tolerance`.
     ///
     /// They may vanish, or nearly, although the series continues: cos t² has every fourth term. A

@@ -176,7 +176,7 @@ pub trait Linearized<const STATES: usize, const INPUTS: usize> {
         DefaultAllocator: Allocator<Const<STATES>, DimDiff<Const<STATES>, U1>>
             + Allocator<DimDiff<Const<STATES>, U1>>,
     {
-        Modes::of(&self.a(), STATES)
+        Modes::of(&self.a(), STATES, 0.0)
     }
 }
 

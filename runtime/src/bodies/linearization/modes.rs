@@ -97,17 +97,22 @@ impl<const N: usize> Modes<N> {
         moving.all(|mode| mode.eigenvalue.re < 0.0)
     }
 
-    /// The modes of the first rows and columns of a matrix.
-    pub(super) fn of(matrix: &SMatrix<f64, N, N>, size: usize) -> Option<Self>
+    /// The modes of the first rows and columns of a matrix, which is known to a fraction of its norm,
+    /// apart from rounding.
+    pub(super) fn of(matrix: &SMatrix<f64, N, N>, size: usize, noise: f64) -> Option<Self>
     where
         Const<N>: DimSub<U1>,
         DefaultAllocator:
             Allocator<Const<N>, DimDiff<Const<N>, U1>> + Allocator<DimDiff<Const<N>, U1>>,
     {
-        let Balanced { matrix, scale, .. } = Balanced::of(matrix)?;
+        // noise in a balanced matrix would be as large as what it is balanced with (D. Watkins, A case
+        // where balancing is harmful)
+        let floor = noise * matrix.amax();
+        let matrix = matrix.map(|entry| if entry.abs() <= floor { 0.0 } else { entry });
+        let Balanced { matrix, scale, .. } = Balanced::of(&matrix)?;
         let count = f64::from(u32::try_from(size).unwrap_or(u32::MAX));
-        let rounding = ROUNDING * count * matrix.norm();
-        let (rest, moving) = without_neutral(matrix, size);
+        let rounding = (ROUNDING * count + noise) * matrix.norm();
+        let (rest, moving) = without_neutral(matrix, size, NEUTRAL + noise);
         let values = eigenvalues(rest, moving)?;
         let mut modes = Self {
             all: [Mode {
@@ -243,10 +248,11 @@ fn basis<const N: usize>(
 fn without_neutral<const N: usize>(
     mut matrix: SMatrix<f64, N, N>,
     mut size: usize,
+    rounding: f64,
 ) -> (SMatrix<f64, N, N>, usize) {
     let largest = matrix.amax();
     loop {
-        let (columns, rank) = basis(&matrix, size, NEUTRAL);
+        let (columns, rank) = basis(&matrix, size, rounding);
         if rank == size {
             return (matrix, size);
         }
@@ -258,7 +264,7 @@ fn without_neutral<const N: usize>(
             }
         }
         // the rest is rounding
-        if matrix.amax() <= NEUTRAL * largest {
+        if matrix.amax() <= rounding * largest {
             return (SMatrix::zeros(), 0);
         }
     }

@@ -7,6 +7,7 @@ mod least_change;
 mod newton;
 mod point;
 mod search;
+mod slopes;
 mod steady;
 mod trimmed;
 

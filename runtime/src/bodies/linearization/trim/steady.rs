@@ -6,6 +6,7 @@ use nalgebra::{SMatrix, SVector, Vector3};
 
 use super::conditions::Conditions;
 use super::least_change::{Change, Equation};
+use super::slopes::{STEPS, Slope};
 use crate::bodies::constrained::Violation;
 use crate::bodies::linearization::coordinated::Coordinated;
 use crate::bodies::linearization::matrices::Linearized;
@@ -104,9 +105,6 @@ struct Measured {
     value: f64,
     rate: Option<f64>,
 }
-
-/// A step of finite differences, as a fraction of the plausible change.
-const STEP: f64 = 6e-6;
 
 impl<B, C, const N: usize> Steady<'_, B, C, N> {
     /// The equations about a state and an input.
@@ -236,24 +234,39 @@ impl<B, C, const N: usize> Steady<'_, B, C, N> {
         }
         let rows = &mut about.rows.room.as_flattened_mut()[first..about.rows.count];
         for column in 0..N + M {
-            let mut by = Change::<N, M>::zero();
-            let mut size = 1.0;
-            if let Some((to, reach)) = by.iter_mut().zip(about.reach.iter()).nth(column) {
-                size = STEP * reach.max(1.0);
-                *to = size;
+            let Some(reach) = about.reach.iter().nth(column) else {
+                continue;
+            };
+            let reach = reach.max(1.0);
+            let moved = |by: f64| {
+                let mut change = Change::<N, M>::zero();
+                if let Some(to) = change.iter_mut().nth(column) {
+                    *to = by;
+                }
+                let there = core::array::from_fn(|i| components[i] + change.input[i]);
+                self.measure(&tangent::moved(state, &change.state), &there)
+                    .0
+            };
+            let mut slopes = Rows::<_, N>::new(Slope::UNKNOWN);
+            let slopes = &mut slopes.room.as_flattened_mut()[..rows.len()];
+            for step in STEPS.map(|part| part * reach) {
+                let pairs = [1.0, 2.0, 3.0, 4.0]
+                    .map(|times| [1.0, -1.0].map(|sign| moved(sign * times * step)));
+                let mut is_exact = true;
+                for (number, slope) in slopes.iter_mut().enumerate() {
+                    let values = pairs.each_ref().map(|pair| {
+                        pair.each_ref()
+                            .map(|rows| rows.list().get(number).map_or(0.0, |row| row.value))
+                    });
+                    is_exact &= slope.refine(values, step);
+                }
+                if is_exact {
+                    break;
+                }
             }
-            let [(after, _), (before, _)] = [1.0, -1.0].map(|sign| {
-                let there = core::array::from_fn(|i| components[i] + sign * by.input[i]);
-                self.measure(&tangent::moved(state, &(by.state * sign)), &there)
-            });
-            let pairs = after.list().iter().zip(before.list());
-            for (row, (after, before)) in rows.iter_mut().zip(pairs) {
-                let rounding = 4.0 * f64::EPSILON * after.value.abs().max(before.value.abs());
-                let difference = after.value - before.value;
-                if let Some(to) = row.equation.by.iter_mut().nth(column)
-                    && difference.abs() > rounding
-                {
-                    *to = difference / (2.0 * size);
+            for (row, slope) in rows.iter_mut().zip(slopes) {
+                if let Some(to) = row.equation.by.iter_mut().nth(column) {
+                    *to = slope.value;
                 }
             }
         }

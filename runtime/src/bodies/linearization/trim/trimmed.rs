@@ -3,6 +3,7 @@
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, DimDiff, DimSub, SMatrix, SVector, U1};
 
+use super::slopes::SLOPES;
 use crate::bodies::linearization::coordinated::Coordinated;
 use crate::bodies::linearization::modes::{Modes, restricted};
 
@@ -34,7 +35,8 @@ impl<B: Coordinated<N, M>, const N: usize, const M: usize> Trimmed<B, N, M> {
             Allocator<Const<N>, DimDiff<Const<N>, U1>> + Allocator<DimDiff<Const<N>, U1>>,
     {
         let (matrix, size) = restricted(&self.matrix, &self.constraints);
-        Modes::of(&matrix, size)
+        let noise = if size < N { SLOPES } else { 0.0 };
+        Modes::of(&matrix, size, noise)
     }
 
     /// The rates of the accelerations along the motion, in the order of the rates in

@@ -231,6 +231,53 @@ fn two_free_bodies_on_a_thread() {
     }
 }
 
+/// The turns by which a vise is off its thread.
+fn turns_off(state: &ViseState) -> f64 {
+    (state.rail.position / -0.01 - state.spin.angle) / (2.0 * PI)
+}
+
+#[test]
+fn the_way_is_that_to_the_nearest_turn() {
+    let (vise, mut numbers) = (Vise::default(), Random::new(9));
+    let input = ViseInput {
+        torque: 0.0,
+        load: 0.0,
+    };
+    for number in 0..1000 {
+        let mut state = ViseState {
+            rail: Slide {
+                position: 0.2 * numbers.number(),
+                velocity: numbers.number(),
+            },
+            spin: Hinge {
+                angle: 300.0 * numbers.number(),
+                angular_velocity: numbers.number(),
+            },
+        };
+        let nearest = turns_off(&state).round();
+        if number % 2 == 0 {
+            // close to half a turn
+            let off = 0.5 - 1e-10 - 1e-3 * numbers.number().powi(10);
+            let turns = nearest + off.copysign(numbers.number());
+            state.spin.angle = state.rail.position / -0.01 - 2.0 * PI * turns;
+        }
+        vise.project(0.0, &mut state, &input).unwrap();
+        vise.check(0.0, &state, &input).unwrap();
+        close("turns", &[turns_off(&state)], &[nearest], 100.0, 1e-12);
+    }
+    // at half a turn, either turn
+    for angle in [PI, -PI, 3.0 * PI] {
+        let mut state = ViseState::default();
+        state.spin.angle = angle;
+        let off = vise.check(0.0, &state, &input).unwrap_err();
+        close("half", &[off.violation.abs()], &[0.02], 0.02, 1e-13);
+        vise.project(0.0, &mut state, &input).unwrap();
+        let turns = turns_off(&state);
+        close("turns", &[turns], &[turns.round()], 1.0, 1e-12);
+        assert!((turns * 2.0 * PI + angle).abs() < 3.2, "{turns}");
+    }
+}
+
 rigid_system!(Bolt {
     bodies: [bolt {
         mass: 1[kg],

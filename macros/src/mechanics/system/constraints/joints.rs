@@ -4,7 +4,7 @@
 
 use crate::mechanics::tree::link::Tree;
 use crate::model::Connection;
-use crate::symbolic::{Components, Function, Graph, Id};
+use crate::symbolic::{Comparison, Components, Function, Graph, Id};
 
 use super::held::{Held, Thread, at_zero, held};
 use super::row::ConstraintRow;
@@ -180,8 +180,12 @@ impl Joined<'_> {
     /// turns do not count:
     ///
     /// ```text
-    /// 2 p tan((x / p - angle) / 2)        p: pitch, x: the place along the axis
+    /// p sin h                     h = x / p - angle,  p: pitch, x: the place along the axis
+    /// p (± 2 - sin h)             beyond a quarter turn: zero nowhere, not even at half a turn
     /// ```
+    ///
+    /// The rate is that of `p h`, which is equal where the constraint holds. From anywhere, steps
+    /// along it lead to the nearest turn.
     fn along_thread(&self, graph: &mut Graph, thread: &Thread, e: Components) -> [Id; 3] {
         let [carrier, carried] = self.sides;
         let [place, rate, bias] = self.along(graph, e);
@@ -208,11 +212,15 @@ impl Joined<'_> {
         ]
         .map(|(a, b)| graph.multiply(a, b));
         let sine = graph.subtract(first, second);
-        let one = graph.one();
-        let cosine = graph.sum(&[one, third, fourth]);
-        let tangent = graph.divide(sine, cosine);
-        let twice = graph.add(thread.pitch, thread.pitch);
-        [graph.multiply(twice, tangent), rate, bias]
+        let cosine = graph.add(third, fourth);
+        let [zero, two] = [0, 2].map(|number| graph.integer(number));
+        let behind = graph.compare(Comparison::Less, sine, zero);
+        let beyond = graph.compare(Comparison::Less, cosine, zero);
+        let minus_two = graph.negate(two);
+        let end = graph.select(behind, minus_two, two);
+        let rest = graph.subtract(end, sine);
+        let value = graph.select(beyond, rest, sine);
+        [graph.multiply(thread.pitch, value), rate, bias]
     }
 
     /// The angle between a direction of the carrier and one of the carried body, minus its value at

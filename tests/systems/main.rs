@@ -14,6 +14,7 @@ mod described;
 mod directions;
 mod drawings;
 mod driven;
+mod far;
 mod floating;
 mod frames;
 mod hyperstatic;

@@ -278,6 +278,36 @@ fn the_way_is_that_to_the_nearest_turn() {
     }
 }
 
+/// The distance of a state from the law of the screw: the angle between the attitude and that at
+/// the place along the axis, and the distance from the axis.
+fn off_the_screw(state: &LooseState) -> [f64; 2] {
+    let (base, other) = (state.orbit, state.other);
+    let axis = Vector3::new(1.0, 2.0, -2.0) / 3.0;
+    let meant = base.attitude * UnitQuaternion::new(Vector3::new(0.0, 0.0, PI / 2.0));
+    let along = meant * axis;
+    let apart = other.position + other.attitude * Vector3::new(0.1, 0.1, -0.2)
+        - base.position
+        - base.attitude * Vector3::new(0.2, -0.1, 0.3);
+    let angle = along.dot(&apart) / 0.2;
+    let meant = meant * UnitQuaternion::new(axis * angle);
+    [meant.angle_to(&other.attitude), apart.cross(&along).norm()]
+}
+
+#[test]
+fn free_bodies_find_the_screw_from_anywhere() {
+    let (loose, mut numbers) = (Loose::default(), Random::new(11));
+    let input = LooseInput { torque: 0.4 };
+    for _ in 0..300 {
+        let mut state = LooseState {
+            orbit: Spatial::random(&mut numbers),
+            other: Spatial::random(&mut numbers),
+        };
+        loose.project(0.0, &mut state, &input).unwrap();
+        loose.check(0.0, &state, &input).unwrap();
+        close("off", &off_the_screw(&state), &[0.0; 2], 1.0, 1e-12);
+    }
+}
+
 rigid_system!(Bolt {
     bodies: [bolt {
         mass: 1[kg],

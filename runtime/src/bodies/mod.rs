@@ -3,6 +3,7 @@
 pub mod body;
 pub mod columns;
 pub mod constrained;
+mod facing;
 pub mod linearization;
 pub mod operations;
 pub(crate) mod path;

@@ -3,7 +3,8 @@
 
 use crate::bodies::body::RigidBody;
 use crate::bodies::constrained::Inconsistent;
-use crate::state::State;
+use crate::bodies::facing::face;
+use crate::state::{Coordinates, State};
 
 /// A body whose motion is kept to `N` constraints.
 pub trait Kept<const N: usize>: RigidBody {
@@ -124,16 +125,23 @@ const SLOW: usize = 4;
 ///
 /// # Errors
 /// [`Inconsistent`].
-pub fn project<S: State<Scalar = f64>, const N: usize>(
+pub fn project<S, const N: usize>(
     state: &mut S,
     rows: impl Fn(&S) -> [Row<S::Rate, N>; N],
-) -> Result<(), Inconsistent> {
-    let start = state.clone();
+) -> Result<(), Inconsistent>
+where
+    S: Coordinates<Scalar = f64, Acceleration: Default>,
+{
+    let mut start = state.clone();
     let place =
         |state: &mut S, pace| newton(state, &rows, pace, |row| row.position, |row| row.shift);
-    if place(state, Pace::Full).is_err() {
-        *state = start;
-        place(state, Pace::Damped)?;
+    if place(state, Pace::Near).is_err() {
+        face(&mut start, |state| rows(state).map(|row| row.facing));
+        *state = start.clone();
+        if place(state, Pace::Full).is_err() {
+            *state = start;
+            place(state, Pace::Damped)?;
+        }
     }
     let velocity = |row: &Row<S::Rate, N>| Some(row.velocity);
     newton(state, &rows, Pace::Velocity, velocity, |row| row.push)
@@ -142,6 +150,8 @@ pub fn project<S: State<Scalar = f64>, const N: usize>(
 /// The mode of Newton's method.
 #[derive(Clone, Copy, PartialEq)]
 enum Pace {
+    /// Full steps, unless the state is nearer to another assembly than the one that is meant.
+    Near,
     Full,
     /// Shorter steps, each of which reduces the error. Far from the constraints, rows contradict
     /// each other if they are dependent where all constraints hold.
@@ -163,10 +173,13 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
     let (mut previous, mut slow) = (f64::INFINITY, 0);
     let (steps, most) = match pace {
         Pace::Damped => (16 * STEPS, 16 * STEPS),
-        Pace::Full | Pace::Velocity => (STEPS, SLOW),
+        Pace::Near | Pace::Full | Pace::Velocity => (STEPS, SLOW),
     };
     for step in 0..=steps {
         let system = rows(state);
+        if pace == Pace::Near {
+            assembled(&system, pace)?;
+        }
         let mut values = [None; N];
         let mut worst = (0.0_f64, "", 0.0);
         // if all velocities have to vanish, what is left is large among its own terms
@@ -205,7 +218,7 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
         previous = worst.0;
         let damping = match pace {
             Pace::Damped => worst.0.min(1.0),
-            Pace::Full | Pace::Velocity => 0.0,
+            Pace::Near | Pace::Full | Pace::Velocity => 0.0,
         };
         let factors = solve(&system, values, damping);
         // one displacement: rotations one after another would depend on the order of the rows

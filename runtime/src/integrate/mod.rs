@@ -55,9 +55,9 @@ pub use steps::stretch::next_switch;
 
 #[cfg(feature = "ensemble")]
 pub(crate) use {
-    course::Pace,
     course::instants::Instants,
     course::integration::TOLERANCE,
+    course::pace::Pace,
     course::underway::{Situation, Underway},
     methods::adaptive::{attempt, first},
     methods::runge_kutta::track::Track,

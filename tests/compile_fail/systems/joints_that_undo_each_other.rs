@@ -17,4 +17,45 @@ rigid_system!(Afloat {
     joints: [adrift = free(cage), axle = revolute(cage.G, ball.G, body(1, 0, 0))],
 });
 
+// under constraints that do not hold the motion
+rigid_system!(Kept {
+    motion: planar,
+    bodies: [
+        arm { mass: 1[kg], inertia: 1[kg * m ^ 2] },
+        ring { mass: 0[kg] },
+        tip { mass: 1[kg], inertia: 1[kg * m ^ 2] },
+    ],
+    joints: [
+        shoulder = revolute(world(0, 0), arm.G),
+        first = revolute(arm.G, ring.G),
+        second = revolute(ring.G, tip.G),
+    ],
+    constraints: [still = shoulder.angle],
+});
+
+// in a closed loop that does not
+rigid_system!(Closed {
+    motion: planar,
+    bodies: [
+        arm { mass: 1[kg], inertia: 1[kg * m ^ 2] },
+        ring { mass: 0[kg] },
+        tip { mass: 1[kg], inertia: 1[kg * m ^ 2], points: [o = (1, 0)] },
+    ],
+    joints: [
+        shoulder = revolute(world(0, 0), arm.G),
+        first = revolute(arm.G, ring.G),
+        second = revolute(ring.G, tip.G),
+        guide = prismatic(world(3, 0), tip.o, world(1, 0)),
+    ],
+});
+
+rigid_system!(Carried {
+    bodies: [
+        cage { mass: 0[kg] },
+        ball { mass: 1[kg], inertia: sphere(0.1[m]), points: [o = (0, 0, 0.1)] },
+    ],
+    joints: [adrift = free(cage), both = universal(cage.G, ball.o, body(1, 0, 0), body(0, 1, 0))],
+    constraints: [plane = ball.o.position().in_world().x - 1[m]],
+});
+
 fn main() {}

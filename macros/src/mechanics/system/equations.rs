@@ -12,7 +12,7 @@ use crate::symbolic::Id;
 
 use super::closed::{Closed, Coordinates, check_closed, check_kept, close};
 use super::constraints::replace;
-use super::independence::check_independence;
+use super::independence::{check_independence, report_light};
 use super::motion::{motion, positions};
 use super::rates::{order, rates};
 
@@ -192,13 +192,18 @@ impl SystemEquations {
         if closed.undetermined.light.is_empty() {
             return Some(());
         }
+        check_independence(system, work, (&self.built, &self.built.tree), errors)?;
         let loads = system.bodies.iter().flat_map(|body| &body.loads);
         let loads = loads.map(|load| (&load.name, parts(load, work).1));
         let drives = system.joints.iter().flat_map(|joint| &joint.driven_by);
         let drives = drives.map(|(name, parts)| (name, parts.clone()));
         let mut all = loads.chain(drives);
-        let (name, _) = all.find(|(_, parts)| !work.accelerations_in(parts).is_empty())?;
-        errors.report(name.span(), takes_inertia(&name.to_string()))
+        let taking = all.find(|(_, parts)| !work.accelerations_in(parts).is_empty());
+        if let Some((name, _)) = taking {
+            return errors.report(name.span(), takes_inertia(&name.to_string()));
+        }
+        let light = &closed.undetermined.light;
+        report_light(system, work, &self.built, light, errors)
     }
 }
 

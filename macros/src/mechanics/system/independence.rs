@@ -1,10 +1,12 @@
 //! Joints with massless bodies between them. They must move bodies with mass in independent ways.
 
+use std::collections::BTreeSet;
+
 use crate::errors::Errors;
 use crate::mechanics::proofs::samples;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{Built, MassMatrix};
-use crate::model::{Labels, System, Workspace};
+use crate::model::{Labels, Member, System, Workspace};
 use crate::symbolic::{Id, Sample};
 
 /// Reports joints of a tree whose motion other joints can undo, so that no mass moves: then the
@@ -21,24 +23,56 @@ pub fn check_independence(
     }
     let matrix = MassMatrix::derive(&mut work.graph, &mut Labels::silent(), tree);
     let mut sound = Some(());
-    for freedom in dependent(work, &matrix.rows) {
-        let joint = joint_of(built, freedom)?;
-        let (name, carried) = (&system.joints[joint].name, &system.bodies[joint]);
+    let found = dependent(work, &matrix.rows).into_iter();
+    let joints: BTreeSet<usize> = found
+        .filter_map(|freedom| joint_of(built, freedom))
+        .collect();
+    for joint in joints {
+        let carried = &system.bodies[joint];
         let message = if work.graph.is_zero(carried.mass) {
             format!(
-                "`{name}` adds no independent motion: `{0}` has no mass, and the joints that it carries can \
-                 undo the motion: give `{0}` a mass, or leave one of these joints out",
-                carried.name
+                "`{}` adds no independent motion: `{}` has no mass, and the joints that it carries can undo the \
+                 motion: {}",
+                system.joints[joint].name,
+                carried.name,
+                remedy(carried)
             )
         } else {
             format!(
-                "the freedoms of `{name}` do not move `{}` in independent ways",
-                carried.name
+                "the freedoms of `{}` do not move `{}` in independent ways",
+                system.joints[joint].name, carried.name
             )
         };
         sound = errors.report(system.joints[joint].written, message);
     }
     sound
+}
+
+/// Reports the joint of a freedom without inertia under constraints, of a body without mass if
+/// there is one.
+pub fn report_light(
+    system: &System,
+    work: &Workspace,
+    built: &Built,
+    light: &[usize],
+    errors: &mut Errors,
+) -> Option<()> {
+    let mut joints = light.iter().filter_map(|freedom| joint_of(built, *freedom));
+    let is_frame = |joint: &usize| work.graph.is_zero(system.bodies[*joint].mass);
+    let first = joints.clone().next()?;
+    let joint = joints.find(is_frame).unwrap_or(first);
+    let (name, carried) = (&system.joints[joint].name, &system.bodies[joint]);
+    let message = format!(
+        "nothing determines the motion of `{name}`: no mass moves with it, and neither the other joints nor the \
+         constraints hold it: {}",
+        remedy(carried)
+    );
+    errors.report(system.joints[joint].written, message)
+}
+
+fn remedy(carried: &Member) -> String {
+    let name = &carried.name;
+    format!("give `{name}` a mass, or leave one of these joints out")
 }
 
 /// The freedoms that have no inertia in a matrix once the later ones are free, which is proved in

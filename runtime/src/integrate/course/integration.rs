@@ -4,9 +4,10 @@ use core::borrow::Borrow;
 use core::fmt;
 use core::iter::Empty;
 
+use super::Course;
 use super::control::{Control, Held, Sampled};
 use super::observed::{Events, Samples, Steps};
-use super::{Course, Pace};
+use super::pace::Pace;
 use crate::bodies::body::RigidBody;
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Tolerant};

@@ -1,68 +1,26 @@
 //! A motion from its start to its end, with changing inputs, and its observation.
 
 use core::borrow::Borrow;
-use core::ops::Range;
 
 use crate::bodies::body::RigidBody;
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run};
-use crate::integrate::steps::setting::{self, InvalidSetting, Setting};
+use crate::integrate::steps::setting::{InvalidSetting, Setting};
 
 pub mod control;
 pub mod instants;
 pub mod integration;
 pub mod observed;
+pub mod pace;
 #[cfg(feature = "progress")]
 pub mod progress;
 pub mod underway;
 
 use control::Control;
+use pace::Pace;
 #[cfg(feature = "progress")]
 use progress::Bar;
-use underway::{Situation, Underway};
-
-/// The limit of the length of steps, and additional times at which they end.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Pace<L> {
-    /// \[s\]
-    pub(crate) max_step: f64,
-    /// Times \[s\], in any order.
-    pub(crate) breaks: L,
-}
-
-impl<L> Pace<L> {
-    /// The time at which a step from a given time must end, if other reasons end it at `limit`.
-    pub(crate) fn limit(&self, time: f64, limit: f64) -> f64 {
-        let rest = limit - time;
-        if self.max_step < rest.abs() {
-            time + self.max_step.copysign(rest)
-        } else {
-            limit
-        }
-    }
-}
-
-impl<L: Iterator<Item: Borrow<f64>> + Clone> Pace<L> {
-    /// Checks all settings of an integration, before it begins: the times, the tolerance, the
-    /// setting of the method, the period of the controller, the longest step and the breaks.
-    pub(crate) fn check(
-        &self,
-        times: &Range<f64>,
-        tolerance: f64,
-        method: Option<(Setting, f64)>,
-        period: Option<f64>,
-    ) -> Result<(), InvalidSetting> {
-        let own = [
-            (Setting::Tolerance, tolerance),
-            (Setting::MaxStep, self.max_step),
-        ];
-        let period = period.map(|period| (Setting::Period, period));
-        let breaks = self.breaks.clone();
-        let breaks = breaks.map(|time| (Setting::Break, *time.borrow()));
-        let settings = own.into_iter().chain(method).chain(period).chain(breaks);
-        setting::check(times, settings)
-    }
-}
+use underway::{Outcome, Situation, Underway};
 
 /// A motion between its start and its end.
 pub(crate) struct Course<'b, R, C, B: RigidBody, L> {
@@ -80,9 +38,6 @@ pub(crate) struct Course<'b, R, C, B: RigidBody, L> {
     #[cfg(feature = "progress")]
     bar: Option<Bar>,
 }
-
-/// A value, or the error that ended the motion.
-type Outcome<T, B> = Result<T, IntegrationError<<B as RigidBody>::State>>;
 
 impl<'b, B, R, C, L> Course<'b, R, C, B, L>
 where

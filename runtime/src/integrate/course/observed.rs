@@ -4,9 +4,10 @@ use core::borrow::Borrow;
 use core::fmt;
 use core::iter::Empty;
 
+use super::Course;
 use super::control::Control;
 use super::instants::Instants;
-use super::{Course, Outcome};
+use super::underway::Outcome;
 use crate::bodies::body::RigidBody;
 use crate::bodies::columns::{Columns, Named, Names, Sink, Source};
 use crate::integrate::steps::event::{Event, Search};

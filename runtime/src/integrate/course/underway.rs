@@ -2,11 +2,14 @@
 
 use core::borrow::Borrow;
 
-use super::{Outcome, Pace};
+use super::pace::Pace;
 use crate::bodies::body::RigidBody;
 use crate::bodies::switches::Stretch;
 use crate::integrate::steps::error::IntegrationError;
 use crate::integrate::steps::method::{Method, Run};
+
+/// A value, or the error that ended the motion.
+pub(crate) type Outcome<T, B> = Result<T, IntegrationError<<B as RigidBody>::State>>;
 
 /// The moving body, its input, and the limits of its steps.
 pub(crate) struct Situation<'s, B: RigidBody, L> {

@@ -34,7 +34,7 @@ impl Lowering<'_> {
             Inertia::Scalar(_) if numbers[0].is_zero() && self.state.swings => Some(()),
             Inertia::Scalar(_) if numbers[0].is_zero() => self.report(
                 draft.extent,
-                "a point mass turns only about another point than its G: hold it there by a hinge, or give it an inertia",
+                "a point mass turns only about another point than its G: hold it there by a hinge on the ground or on a body with mass, or give it an inertia",
             ),
             Inertia::Scalar(_) => self.report(
                 draft.extent,

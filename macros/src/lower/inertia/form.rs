@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use crate::errors::{similar, solid_meant};
 use crate::lower::expressions::{Lowering, base, is_of_solid, lower_unit, written_motion};
 use crate::model::{Defaults, Dimension, Inertia, Mass, is_solid, words};
-use crate::symbolic::Id;
+use crate::symbolic::{Id, Number};
 use crate::syntax::{Description, Expression, Kind, UnitExpression};
 
 use super::across_axis::FORMS_OF_ROD;
@@ -196,6 +196,7 @@ impl Lowering<'_> {
                      factors into its numbers",
                 )
             }
+            _ if is_zero(written) => self.report_zero(written.extent),
             _ => self.report(
                 written.extent,
                 format!("an inertia in space has more than one number: {FORMS}"),
@@ -285,3 +286,12 @@ fn is_scalar(expression: &Expression) -> bool {
 
 /// The methods that an inertia has.
 const MOVES: [&str; 5] = ["about", "along", "turned", "mass", "at"];
+
+/// Whether a number is zero as written, with or without a unit.
+fn is_zero(written: &Expression) -> bool {
+    match &written.kind {
+        Kind::Number(digits) => Number::parse(digits).is_some_and(|number| number.is_zero()),
+        Kind::Unit(inner, _) => is_zero(inner),
+        _ => false,
+    }
+}

@@ -32,10 +32,7 @@ impl Lowering<'_> {
             Inertia::Scalar(_) if numbers[0].is_positive() => Some(()),
             // a point mass may swing about a pin at a distance
             Inertia::Scalar(_) if numbers[0].is_zero() && self.state.swings => Some(()),
-            Inertia::Scalar(_) if numbers[0].is_zero() => self.report(
-                draft.extent,
-                "a point mass turns only about another point than its G: hold it there by a hinge on the ground or on a body with mass, or give it an inertia",
-            ),
+            Inertia::Scalar(_) if numbers[0].is_zero() => self.report_zero(draft.extent),
             Inertia::Scalar(_) => self.report(
                 draft.extent,
                 format!(
@@ -47,12 +44,29 @@ impl Lowering<'_> {
                 let matrix = matrix(&numbers);
                 match self.violation(&matrix) {
                     None => Some(()),
+                    Some(_) if matrix.iter().flatten().all(Number::is_zero) => {
+                        self.report_zero(draft.extent)
+                    }
                     Some(violation) => {
                         self.report_violation(draft, &violation, &matrix, &numbers[9..])
                     }
                 }
             }
         }
+    }
+
+    /// Reports an inertia that is zero.
+    pub fn report_zero<T>(&mut self, place: Extent) -> Option<T> {
+        let turns = !self.work.graph.is_zero_vector(&self.state.angular_velocity);
+        let message = if !turns || !self.motion.has_attitude() {
+            "a body that does not turn needs no inertia: leave `inertia` out"
+        } else if self.state.swings {
+            "a point mass in space has the inertia `principal(0, 0, 0)[kg * m ^ 2]`"
+        } else {
+            "a point mass has no inertia about axes through its G: hold it by a hinge beside its G, or \
+             give it an inertia"
+        };
+        self.report(place, message)
     }
 
     /// What makes an inertia impossible for a body that moves like this one.

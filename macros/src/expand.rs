@@ -29,7 +29,7 @@ fn expand_body(description: &syntax::Description, mut errors: Errors) -> TokenSt
     let (outline, model) = lower::read_body(description, &offers::<Model>(), &mut errors);
     // errors that only a well-formed description can have: ranks, solvability, ranges
     let solved = model
-        .filter(|_| errors.is_empty())
+        .filter(|(model, _)| errors.count() == model.checks.mistakes)
         .and_then(|(model, work)| solve(&outline, model, None, work, &mut errors));
     emit(outline, solved, errors)
 }
@@ -46,7 +46,7 @@ pub fn expand_system(tokens: TokenStream) -> TokenStream {
     let offers = offers::<System>();
     let (outline, system) = lower::read_system(&mut description, &offers, &mut errors);
     let solved = system
-        .filter(|_| errors.is_empty())
+        .filter(|(system, _)| errors.count() == system.checks.mistakes)
         .and_then(|(system, work)| {
             let file = description.file.as_ref();
             solve(&outline, system, file, work, &mut errors)

@@ -179,7 +179,7 @@ fn lower_description(
         reactions: every(reactions)?,
         drives: drives?,
         constraints,
-        checks: checks?,
+        checks,
         defaults,
         ..Model::of(motion, state, (mass.known(), inertia?), loads?, pole?)
     };
@@ -206,11 +206,7 @@ impl Lowering<'_> {
     }
 
     /// Claims about the motion, which may use all solved quantities.
-    fn claims(
-        &mut self,
-        description: &Description,
-        reactions: &[Option<Reaction>],
-    ) -> Option<Checks> {
+    fn claims(&mut self, description: &Description, reactions: &[Option<Reaction>]) -> Checks {
         self.is_constrained = true;
         if !description.checks.is_empty() {
             self.name_reactions(description, reactions);

@@ -23,24 +23,25 @@ const TURNED: &str =
 
 impl Lowering<'_> {
     /// All checks. Quantities that the description does not define get symbols.
-    pub fn checks(&mut self, description: &Description) -> Option<Checks> {
+    pub fn checks(&mut self, description: &Description) -> Checks {
+        let before = self.errors.count();
         check_distinct(
             "check",
             description.checks.iter().map(|check| &check.name),
             self.errors,
         );
         if description.checks.is_empty() {
-            return Some(Checks::default());
+            return Checks::default();
         }
         let answers = self.name_answers();
-        let list = description.checks.iter().map(|check| self.check(check));
-        // collected before anything is returned, so that each check reports its errors
-        let list: Vec<Option<Check>> = list.collect();
-        Some(Checks {
-            list: list.into_iter().collect::<Option<_>>()?,
+        let list = description.checks.iter();
+        let list = list.filter_map(|check| self.check(check)).collect();
+        Checks {
+            list,
+            mistakes: self.errors.count() - before,
             answers: Some(answers),
             held: Vec::new(),
-        })
+        }
     }
 
     fn name_answers(&mut self) -> Answers {

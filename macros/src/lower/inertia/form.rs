@@ -106,11 +106,11 @@ impl Lowering<'_> {
                 self.moved_to_center(draft?, point, context.mass, method)
             }
             Kind::Method(inner, method, arguments) if method == "along" => {
-                let draft = self.draft(inner, context)?;
+                let draft = self.draft(inner, context);
                 self.along(draft, method, arguments)
             }
             Kind::Method(inner, method, arguments) if method == "turned" => {
-                let draft = self.draft(inner, context)?;
+                let draft = self.draft(inner, context);
                 self.turned(draft, method, arguments)
             }
             Kind::Method(_, method, _) if method == "mass" => self.report(

@@ -9,7 +9,7 @@ use proc_macro2::Ident;
 use crate::lower::expressions::Lowering;
 use crate::model::{Dimension, Inertia};
 use crate::symbolic::{Components, Function, Graph, Id};
-use crate::syntax::Expression;
+use crate::syntax::{Description, Expression, Kind};
 
 use super::draft::Draft;
 use super::form::CONSTANT;
@@ -19,7 +19,12 @@ type Matrix = [Components; 3];
 
 impl Lowering<'_> {
     /// `.along(direction)`: rotates the axis of symmetry from z to `direction`.
-    pub fn along(&mut self, draft: Draft, place: &Ident, written: &[Expression]) -> Option<Draft> {
+    pub fn along(
+        &mut self,
+        draft: Option<Draft>,
+        place: &Ident,
+        written: &[Expression],
+    ) -> Option<Draft> {
         self.refuse_of_rod(place)?;
         let [written] = written else {
             return self.report(
@@ -27,7 +32,8 @@ impl Lowering<'_> {
                 "`.along` takes one direction: write `.along(body(1, 0, 0))`",
             );
         };
-        let direction = self.body_direction(written)?;
+        let direction = self.body_direction(written);
+        let (draft, direction) = (draft?, direction?);
         if let Inertia::Scalar(_) = draft.inertia {
             return self.report(
                 place.span(),
@@ -57,8 +63,24 @@ impl Lowering<'_> {
         Some(Draft { inertia, ..draft })
     }
 
+    /// Checks the direction of a copy, which is the last method of its inertia.
+    pub fn check_direction(&mut self, copy: &Description) {
+        let written = copy.inertia.as_ref();
+        let written = written.and_then(|written| written.value.as_ref());
+        if let Some(Kind::Method(_, _, directions)) = written.map(|written| &written.kind) {
+            for direction in directions {
+                self.body_direction(direction);
+            }
+        }
+    }
+
     /// `.turned(axis, angle)`: rotated about `axis`, by the right-hand rule.
-    pub fn turned(&mut self, draft: Draft, place: &Ident, written: &[Expression]) -> Option<Draft> {
+    pub fn turned(
+        &mut self,
+        draft: Option<Draft>,
+        place: &Ident,
+        written: &[Expression],
+    ) -> Option<Draft> {
         if self.motion.is_planar {
             return self.report(
                 place.span(),
@@ -75,7 +97,7 @@ impl Lowering<'_> {
         };
         let direction = self.body_direction(axis);
         let by = self.scalar(angle, Dimension::NONE, "an angle");
-        let (direction, by) = (direction?, by?);
+        let (draft, direction, by) = (draft?, direction?, by?);
         self.check_early(angle, &[by], CONSTANT)?;
         let graph = &mut self.work.graph;
         let rotation = rotation(graph, direction, by);

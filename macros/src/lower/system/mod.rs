@@ -80,7 +80,8 @@ fn lower_system(
     let written = tell_frames(outline, &joints);
     outline.kept = constraints.list.iter().map(load_of).collect();
     check_loads(system, outline, &constraints.list, errors);
-    check_motion(outline, &work, (&bodies, &joints), errors);
+    let mistakes = checks.mistakes;
+    check_motion(outline, &work, (&bodies, &joints), (mistakes, errors));
     let system = System {
         is_planar: system.is_planar,
         bodies,
@@ -99,9 +100,9 @@ fn lower_system(
         derivatives,
         is_differentiated: outline.asks_for(&[LINEARIZATION, FLOW]),
         defaults: reader.defaults,
-        checks: checks?,
+        checks,
     };
-    errors.is_empty().then_some((system, work))
+    (errors.count() == mistakes).then_some((system, work))
 }
 
 /// Checks outputs against masses and inertias that change.
@@ -115,18 +116,18 @@ fn check_substances<'b>(
     check_changing(work, &made_of, outline, errors);
 }
 
-/// Checks a system without other errors: massless bodies, and systems in which nothing moves.
+/// Checks a system without other errors than the mistakes in its checks: massless bodies, and systems in which nothing moves.
 fn check_motion(
     outline: &Outline,
     work: &Workspace,
     (bodies, joints): (&[Member], &[TreeJoint]),
-    errors: &mut Errors,
+    (mistakes, errors): (usize, &mut Errors),
 ) {
     // the check of a file may have reported the same
-    if errors.is_empty() {
+    if errors.count() == mistakes {
         frames::check_frames(work, bodies, joints, errors);
     }
-    if errors.is_empty() && outline.is_still() {
+    if errors.count() == mistakes && outline.is_still() {
         check_still(outline, errors);
     }
 }

@@ -15,7 +15,7 @@ use super::reading::reader::Reader;
 
 impl Reader<'_> {
     /// The claims about a system, which may use the loads of joints.
-    pub fn checks(&mut self, holding: &[Ident], errors: &mut Errors) -> Option<Checks> {
+    pub fn checks(&mut self, holding: &[Ident], errors: &mut Errors) -> Checks {
         let top = &self.system.top;
         let held = if top.checks.is_empty() {
             Vec::new()
@@ -23,8 +23,8 @@ impl Reader<'_> {
             self.members.are_loaded = true;
             holding.iter().map(|joint| self.carried(joint)).collect()
         };
-        let checks = self.at_top(errors, |lowering| lowering.checks(top))?;
-        Some(Checks { held, ..checks })
+        let checks = self.at_top(errors, |lowering| lowering.checks(top));
+        Checks { held, ..checks }
     }
 
     /// New symbols for the force and the moment of a joint, defined as its `.force` and `.moment`.

@@ -8,7 +8,10 @@ use crate::symbolic::{Comparison, Components, Id};
 /// The claims of a description.
 #[derive(Clone, Default)]
 pub struct Checks {
+    /// Those that can be decided.
     pub list: Vec<Check>,
+    /// The number of errors in the others, which hide no other error.
+    pub mistakes: usize,
     /// The symbols of quantities that are derived later, if there are checks.
     pub answers: Option<Answers>,
     /// For a system: the names of joints, with the symbols of their force and moment.

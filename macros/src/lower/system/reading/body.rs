@@ -212,9 +212,15 @@ impl<'a> Reader<'a> {
             } else {
                 &mut reported
             };
+            let is_silent = first != number && silent.contains(&first);
             let read = for_copy(first, number, silent, errors, |errors| {
                 self.body(number, draft, inputs, errors)
             });
+            if is_silent {
+                // its direction is its own
+                let body = draft.description;
+                self.in_body(draft, errors, |lowering, _| lowering.check_direction(body));
+            }
             match (read, &mut bodies) {
                 (Some(body), Some(all)) => all.push(body),
                 _ => bodies = None,

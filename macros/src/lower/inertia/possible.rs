@@ -63,8 +63,8 @@ impl Lowering<'_> {
         } else if self.state.swings {
             "a point mass in space has the inertia `principal(0, 0, 0)[kg * m ^ 2]`"
         } else {
-            "a point mass has no inertia about axes through its G: hold it by a hinge beside its G, or \
-             give it an inertia"
+            "a point mass has no inertia about axes through its G: hold it by a hinge beside its G, \
+             on the ground or on a body with mass, or give it an inertia"
         };
         self.report(place, message)
     }

@@ -147,6 +147,13 @@ fn tables_read_back() {
             .to_string()
             .starts_with("member,angle,angular_velocity\n0,0.1,-0.1\n1,")
     );
+    let rest = [Hinge::default()];
+    let quoted = Csv::of(&rest).numbered("row, \"from\" 0");
+    assert!(
+        quoted
+            .to_string()
+            .starts_with("\"row, \"\"from\"\" 0\",angle")
+    );
 }
 
 #[test]

@@ -109,7 +109,8 @@ impl<I: Iterator<Item: Columns<f64> + Named>> Csv<I> {
 impl<I: Iterator<Item: Columns<f64> + Named>> fmt::Display for Csv<I> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(name) = self.number {
-            write!(f, "{name},")?;
+            write_field(f, name)?;
+            f.write_str(",")?;
         }
         writeln!(f, "{}", I::Item::NAMES)?;
         let mut rows = self.rows.try_borrow_mut().map_err(|_| fmt::Error)?;
@@ -128,6 +129,19 @@ impl<I: Iterator<Item: Columns<f64> + Named>> fmt::Display for Csv<I> {
         }
         Ok(())
     }
+}
+
+/// Writes a field, in quotes if it contains a separator (RFC 4180).
+fn write_field(f: &mut fmt::Formatter<'_>, field: &str) -> fmt::Result {
+    if !field.contains([',', '"', '\r', '\n']) {
+        return f.write_str(field);
+    }
+    f.write_str("\"")?;
+    for (number, part) in field.split('"').enumerate() {
+        f.write_str(if number == 0 { "" } else { "\"\"" })?;
+        f.write_str(part)?;
+    }
+    f.write_str("\"")
 }
 
 /// A line that is being written.

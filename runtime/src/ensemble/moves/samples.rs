@@ -21,7 +21,12 @@ pub(super) fn sample<'e, M: RungeKutta, A, B: Generic>(
 ) where
     B::State: 'e,
 {
-    let is_beyond = |track: &Track<_>| plan.limits.is_before(plan.times.end, track.now.time);
+    // no step passes a change of inputs, or the end
+    let (limits, time) = (plan.limits, plan.times.end);
+    if !limits.is_before(time, limits.held.end) || !limits.is_before(time, limits.end) {
+        return;
+    }
+    let is_beyond = |track: &Track<_>| limits.is_before(time, track.now.time);
     if tracks.clone().any(is_beyond) {
         width.run(Samples::<M, A, B> {
             plan,

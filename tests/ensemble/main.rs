@@ -248,7 +248,8 @@ fn are_sampled_as_if_alone<B, M>(
         assert_eq!(samples.len(), alone.len());
         for (sample, alone) in samples.iter().zip(alone) {
             assert!(
-                sample.time == alone.time && sample.state.get(index) == alone.state,
+                sample.time.to_bits() == alone.time.to_bits()
+                    && sample.state.get(index) == alone.state,
                 "member {index} at {} s, {width:?}, {}, {period:?}: {:?}",
                 alone.time,
                 std::any::type_name::<M>(),

@@ -111,3 +111,15 @@ fn members_are_refused_by_themselves() {
         check(&all, &|body| body.integrate(&rest).method(verner).to(end));
     }
 }
+
+/// A period that is lost at the end of the motion is refused at its start, also under a controller.
+#[test]
+fn periods_lost_at_the_end() {
+    let rest = PlanarTranslation::default();
+    let members = [2e5, 1e-9].map(|period| (ValveParams { period }, rest));
+    let mut all = Ensemble::<Valve<f64>>::with_params(members).unwrap();
+    let motion = all.integrate().method(Fixed { step: 1e5, ..STEPS });
+    let motion = motion.control(2e4, |_, _, _: &PlanarTranslation| ());
+    let lost = motion.each_to(1e6).unwrap();
+    assert!(lost.len() == 1 && lost[0].index == 1 && is_refused(&lost[0].error, 1e-9));
+}

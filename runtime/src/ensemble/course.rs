@@ -142,6 +142,9 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
             if next != self.limits.end && !self.motions.are_kept() {
                 let (ensemble, method) = (&*self.ensemble, self.method.alone());
                 self.motions = Motions::of(ensemble, method, self.time, self.limits.end);
+                for one in self.lost.iter().flatten() {
+                    self.motions.lose(one.index);
+                }
             }
             self.moved(next)?;
         }
@@ -214,6 +217,7 @@ impl<'e, B: Generic, M: Moves<B>, C: EnsembleControl<B>> EnsembleCourse<'e, B, M
             Some(all) => {
                 for one in self.method.moved(ensemble, motions, times, limits, shown) {
                     if all.iter().all(|known| known.index != one.index) {
+                        motions.lose(one.index);
                         all.push(one);
                     }
                 }

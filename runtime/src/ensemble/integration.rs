@@ -161,7 +161,8 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
 
     /// Takes inputs from a function of time, member and state, called at the start and after every
     /// period \[s\], each held until the next (zero-order hold), like a digital controller per
-    /// member. The members keep their last inputs.
+    /// member. The members keep their last inputs. The motion of each is kept between calls: three
+    /// states and more, with [`OneByOne`] also the workspace of its method, for series tens of kB.
     pub fn control<F>(self, period: f64, function: F) -> EnsembleIntegration<'e, B, M, Sampled<F>>
     where
         F: FnMut(f64, usize, &B::State) -> B::Input,

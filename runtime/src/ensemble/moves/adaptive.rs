@@ -145,7 +145,7 @@ impl<A: Adaptive, B: Generic> Work for Stream<'_, A, B> {
         loop {
             if register.has_stopped {
                 self.clear(&mut register);
-                let fresh = register.fill(&mut waiting, &mut seats, self.states);
+                let fresh = register.fill(&mut waiting, &mut seats, self.states, self.motions);
                 if fresh.iter().any(|one| *one != 0.0) {
                     by_itself(
                         simd,

@@ -50,7 +50,7 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
             let (body, input) = (members.body(index), members.inputs.get(index));
             let from = (time, limits.forwards, 0);
             let stretch = Stretch::of(&body, &input, from, limits.breaks.iter());
-            let error = match stretch.check(&(time..end)) {
+            let error = match stretch.check(&(time..limits.end)) {
                 Ok(()) => IntegrationError::lost(time, before.get(index)),
                 Err(invalid) => IntegrationError::refused(invalid, time, before.get(index)),
             };

@@ -53,6 +53,13 @@ impl<R> Motions<R> {
         !self.0.is_empty()
     }
 
+    /// Ends the motion of a member, if it is kept.
+    pub(in crate::ensemble) fn lose(&mut self, index: usize) {
+        if let Some(motion) = self.0.get_mut(index) {
+            motion.is_lost = true;
+        }
+    }
+
     /// Called when inputs are given.
     pub(in crate::ensemble) fn renew<B: Generic>(&mut self)
     where

@@ -55,7 +55,11 @@ pub(super) fn end_alone<B: Generic, M: Method<B>>(
     let pace = limits.pace();
     let situation = limits.of(&body, &input, &pace);
     if let Some(motion) = motion {
-        return motion.seek(&situation, times.end);
+        return if motion.is_lost {
+            Ok(states.get(index))
+        } else {
+            motion.seek(&situation, times.end)
+        };
     }
     let start = (times.start, &states.get(index));
     Underway::new(&body, method, start, limits.end).seek(&situation, times.end)

@@ -94,11 +94,13 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
         waiting: &mut Range<usize>,
         seats: &mut Seats<B>,
         states: &[Eight],
+        motions: &[Underway<AdaptiveRun<B, A::Pair>>],
     ) -> Eight {
+        let is_lost = |member: usize| motions.get(member).is_some_and(|motion| motion.is_lost);
         let mut fresh = [0.0; BLOCK];
         for (lane, is_fresh) in fresh.iter_mut().enumerate().take(Lanes::<S>::COUNT) {
             if self.lanes[lane].member.is_none()
-                && let Some(member) = waiting.next()
+                && let Some(member) = waiting.find(|member| !is_lost(*member))
             {
                 seats.sit(self.plan, states, member, lane);
                 self.lanes[lane].member = Some(member);
@@ -366,7 +368,7 @@ impl<'e, A: Adaptive, B: Generic, S: Register> InRegister<'e, A, B, S> {
 
     /// Keeps the motion of a member.
     pub(super) fn keep(&self, index: usize, motion: &mut Underway<AdaptiveRun<B, A::Pair>>) {
-        let Underway { run, stretch } = motion;
+        let Underway { run, stretch, .. } = motion;
         *stretch = self.lanes[index].stretch;
         let Track {
             stretch: within,

@@ -91,7 +91,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
         let limits = self.limits;
         let way = &mut self.each[lane];
         let (now, is_under_way) = (way.time(), way.taken < way.steps);
-        way.goes = limits.is_before(now, self.times.end);
+        way.goes &= limits.is_before(now, self.times.end);
         // the longest step is counted from the end of the last step
         if !way.goes || (is_under_way && limits.max_step == f64::INFINITY) {
             return;
@@ -278,21 +278,25 @@ impl Way {
 
     /// Where a motion goes on.
     fn of<M: RungeKutta, B: Generic>(motion: &Motion<M, B>) -> Self {
-        let Underway { run, stretch } = motion;
+        let Underway {
+            run,
+            stretch,
+            is_lost,
+        } = motion;
         Self {
             stretch: *stretch,
             start: run.span.start,
             end: run.span.end,
             taken: run.steps.start,
             steps: run.steps.end,
-            goes: true,
+            goes: !is_lost,
             has_moved: false,
         }
     }
 
     /// Keeps the progress of a motion.
     fn keep<M: RungeKutta, B: Generic>(&self, motion: &mut Motion<M, B>) {
-        let Underway { run, stretch } = motion;
+        let Underway { run, stretch, .. } = motion;
         (*stretch, run.track.stretch) = (self.stretch, self.stretch);
         run.span = self.start..self.end;
         run.steps = self.taken..self.steps;

@@ -27,6 +27,9 @@ pub(crate) struct Situation<'s, B: RigidBody, L> {
 pub(crate) struct Underway<R> {
     pub(crate) run: R,
     pub(crate) stretch: Stretch,
+    /// Whether it failed, so that it does not go on.
+    #[cfg(feature = "ensemble")]
+    pub(crate) is_lost: bool,
 }
 
 impl<B: RigidBody, L> Situation<'_, B, L> {
@@ -60,7 +63,12 @@ impl<R> Underway<R> {
         let mut run = method.start(body, time, state);
         run.heads_for(end);
         let stretch = Stretch::until_now(time);
-        Self { run, stretch }
+        Self {
+            run,
+            stretch,
+            #[cfg(feature = "ensemble")]
+            is_lost: false,
+        }
     }
 
     /// Called when an input is given.

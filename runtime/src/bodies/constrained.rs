@@ -46,7 +46,7 @@ pub trait Constrained: RigidBody {
     /// Moves the state to one that satisfies its constraints, in positions and in velocities, to
     /// rounding: the nearest, to first order in the violation. If a joint that closes a loop is
     /// turned by more than 60 degrees from its place, the coordinates are first turned one at a time
-    /// until it is within 45 degrees.
+    /// until it is within 26 degrees, if they can turn it there.
     ///
     /// # Errors
     /// [`Inconsistent`] with the worst constraint that cannot be satisfied from here; the state is

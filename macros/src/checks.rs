@@ -104,7 +104,7 @@ impl Evidence<'_> {
         )
     }
 
-    /// What a state does to a constraint, if that is known, and more than rounding a few digits does.
+    /// How a state violates a constraint, if that is known: by more than the rounding of a few digits.
     fn violation(&self, constraint: &Required, known: &Known) -> Option<String> {
         let value = |id: Id| match self.evaluate(id, known) {
             Exact::Number(number) => Some(number.to_f64()),

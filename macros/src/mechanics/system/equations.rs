@@ -12,7 +12,7 @@ use crate::symbolic::Id;
 
 use super::closed::{Closed, Coordinates, check_closed, check_kept, close};
 use super::constraints::replace;
-use super::independence::{check_independence, report_light};
+use super::independence::check_independence;
 use super::motion::{motion, positions};
 use super::rates::{order, rates};
 
@@ -198,12 +198,8 @@ impl SystemEquations {
         let drives = system.joints.iter().flat_map(|joint| &joint.driven_by);
         let drives = drives.map(|(name, parts)| (name, parts.clone()));
         let mut all = loads.chain(drives);
-        let taking = all.find(|(_, parts)| !work.accelerations_in(parts).is_empty());
-        if let Some((name, _)) = taking {
-            return errors.report(name.span(), takes_inertia(&name.to_string()));
-        }
-        let light = &closed.undetermined.light;
-        report_light(system, work, &self.built, light, errors)
+        let (name, _) = all.find(|(_, parts)| !work.accelerations_in(parts).is_empty())?;
+        errors.report(name.span(), takes_inertia(&name.to_string()))
     }
 }
 

@@ -6,7 +6,7 @@ use crate::errors::Errors;
 use crate::mechanics::proofs::samples;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{Built, MassMatrix};
-use crate::model::{Labels, Member, System, Workspace};
+use crate::model::{Labels, System, Workspace};
 use crate::symbolic::{Id, Sample};
 
 /// Reports joints of a tree whose motion other joints can undo, so that no mass moves: then the
@@ -31,11 +31,9 @@ pub fn check_independence(
         let carried = &system.bodies[joint];
         let message = if work.graph.is_zero(carried.mass) {
             format!(
-                "`{}` adds no independent motion: `{}` has no mass, and the joints that it carries can undo the \
-                 motion: {}",
-                system.joints[joint].name,
-                carried.name,
-                remedy(carried)
+                "`{0}` adds no independent motion: `{1}` has no mass, and the joints that it carries can undo the \
+                 motion: give `{1}` a mass, or leave one of these joints out",
+                system.joints[joint].name, carried.name
             )
         } else {
             format!(
@@ -46,33 +44,6 @@ pub fn check_independence(
         sound = errors.report(system.joints[joint].written, message);
     }
     sound
-}
-
-/// Reports the joint of a freedom without inertia under constraints, of a body without mass if
-/// there is one.
-pub fn report_light(
-    system: &System,
-    work: &Workspace,
-    built: &Built,
-    light: &[usize],
-    errors: &mut Errors,
-) -> Option<()> {
-    let mut joints = light.iter().filter_map(|freedom| joint_of(built, *freedom));
-    let is_frame = |joint: &usize| work.graph.is_zero(system.bodies[*joint].mass);
-    let first = joints.clone().next()?;
-    let joint = joints.find(is_frame).unwrap_or(first);
-    let (name, carried) = (&system.joints[joint].name, &system.bodies[joint]);
-    let message = format!(
-        "nothing determines the motion of `{name}`: no mass moves with it, and neither the other joints nor the \
-         constraints hold it: {}",
-        remedy(carried)
-    );
-    errors.report(system.joints[joint].written, message)
-}
-
-fn remedy(carried: &Member) -> String {
-    let name = &carried.name;
-    format!("give `{name}` a mass, or leave one of these joints out")
 }
 
 /// The freedoms that have no inertia in a matrix once the later ones are free, which is proved in

@@ -19,10 +19,12 @@ rigid_body!(Breathing::<T> {
     fields: [weight = mass * world(0, 0, -9.8[m / s ^ 2])],
 });
 
-/// Compares the members of an ensemble with motions alone, to the bit, in every width.
+/// Compares the members of an ensemble with motions alone, to the bit, in every width, with and
+/// without a controller.
 macro_rules! agree {
     ($kind:ident: $bodies:expr, $method:expr, $times:expr) => {
-        for width in Width::ALL.into_iter().filter(|width| width.is_there()) {
+        let there = Width::ALL.into_iter().filter(|width| width.is_there());
+        for (width, period) in there.flat_map(|width| [(width, None), (width, Some(0.37))]) {
             let bodies = $bodies;
             let (start, end) = $times;
             let rest = bodies.iter().map(|_| Translation::default());
@@ -30,34 +32,24 @@ macro_rules! agree {
             let mut ensemble = Ensemble::<$kind<f64>>::with_params(params.zip(rest)).unwrap();
             ensemble.set_width(width);
             let motion = ensemble.integrate().method($method).starting_at(start);
-            let lost = motion.each_to(end).unwrap();
+            let lost = match period {
+                None => motion.each_to(end),
+                Some(period) => motion.control(period, |_, _, _| ()).each_to(end),
+            };
+            let lost = lost.unwrap();
             for (index, body) in bodies.iter().enumerate() {
                 let alone = body.integrate(&Translation::default()).method($method);
-                let alone = alone.starting_at(start).to(end);
+                let alone = alone.starting_at(start);
+                let alone = match period {
+                    None => alone.to(end),
+                    Some(period) => alone.control(period, |_, _| ()).to(end),
+                };
                 let error = lost.iter().find(|one| one.index == index);
                 let error = error.map(|one| &one.error);
-                assert_eq!(alone.as_ref().err(), error, "{index} {width:?}");
+                assert_eq!(alone.as_ref().err(), error, "{index} {width:?} {period:?}");
                 let moved = ensemble.states().get(index);
                 let last = alone.unwrap_or_else(|error| *error.state());
-                assert_eq!(moved, last, "{index} {width:?}");
-            }
-
-            // the same under a controller
-            let rest = bodies.iter().map(|_| Translation::default());
-            let params = bodies.iter().map(|body| *body.params());
-            let mut ensemble = Ensemble::<$kind<f64>>::with_params(params.zip(rest)).unwrap();
-            ensemble.set_width(width);
-            let motion = ensemble.integrate().method($method).starting_at(start);
-            let lost = motion.control(0.37, |_, _, _| ()).each_to(end).unwrap();
-            for (index, body) in bodies.iter().enumerate() {
-                let alone = body.integrate(&Translation::default()).method($method);
-                let alone = alone.starting_at(start).control(0.37, |_, _| ()).to(end);
-                let error = lost.iter().find(|one| one.index == index);
-                let error = error.map(|one| &one.error);
-                assert_eq!(alone.as_ref().err(), error, "{index} {width:?}");
-                let moved = ensemble.states().get(index);
-                let last = alone.unwrap_or_else(|error| *error.state());
-                assert_eq!(moved, last, "{index} {width:?}");
+                assert_eq!(moved, last, "{index} {width:?} {period:?}");
             }
         }
     };

@@ -4,4 +4,5 @@
 mod change_points;
 mod cranks;
 mod doors;
+mod pins;
 mod space;

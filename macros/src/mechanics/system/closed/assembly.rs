@@ -13,6 +13,10 @@ use super::numbers::{Random, Span, solve};
 /// The number of initial states, and the most steps from each.
 const STARTS: u64 = 24;
 const STEPS: usize = 60;
+/// The initial states that show the size of slopes.
+const GENERIC: u64 = 4;
+/// A slope is nothing if it is less than this fraction of its size.
+const NOTHING: f64 = 1e-9;
 /// How far a closed state is displaced to see whether it can move.
 const MOVED: f64 = 0.05;
 
@@ -32,6 +36,17 @@ pub struct Assembly<'a> {
     coordinates: &'a [Coordinate],
     attitudes: Vec<[Id; 4]>,
     defaults: HashMap<Id, f64>,
+    /// The largest value of each slope in a few states.
+    sizes: Vec<Vec<f64>>,
+}
+
+/// For each row, whether it is independent of the rows before it.
+#[derive(Default)]
+pub struct Rank {
+    /// In almost all states; `None` if there are no rows to tell.
+    pub anywhere: Option<Vec<bool>>,
+    /// In closed states; `None` if none was found.
+    pub closed: Option<Vec<bool>>,
 }
 
 /// The values of symbols.
@@ -52,38 +67,57 @@ impl<'a> Assembly<'a> {
         let defaults = system.defaults.iter();
         let defaults = defaults
             .filter_map(|(symbol, value)| Some((*symbol, work.graph.as_number(*value)?.to_f64())));
-        Self {
+        let mut assembly = Self {
+            sizes: vec![vec![0.0; coordinates.rates.len()]; rows.len()],
             rows,
             rates: &coordinates.rates,
             coordinates: &coordinates.places,
             attitudes: open.filter_map(attitude).collect(),
             defaults: defaults.collect(),
             work,
+        };
+        for values in assembly.generic() {
+            let slopes = assembly.slopes(&values);
+            for (sizes, slopes) in assembly.sizes.iter_mut().zip(slopes) {
+                for (size, slope) in sizes.iter_mut().zip(slopes) {
+                    *size = size.max(slope.abs());
+                }
+            }
         }
+        assembly
     }
 
-    /// Whether each row is independent of the rows before it, in closed states that can move.
-    /// `None` if as many rows are independent there as in any state.
-    pub fn independent(&self) -> Option<Vec<bool>> {
+    /// A few states that are not closed.
+    fn generic(&self) -> Vec<Values> {
+        let starts = 0..GENERIC;
+        starts
+            .map(|start| self.start(&mut Random::new(start), start))
+            .collect()
+    }
+
+    /// Which rows depend on others, in almost all states and in closed states.
+    pub fn rank(&self) -> Rank {
         // without open coordinates, nothing moves
         if self.rates.is_empty() {
-            return None;
+            return Rank::default();
         }
+        let generic = self.generic().into_iter();
+        let generic = generic.map(|values| self.independent_at(&values));
+        let anywhere = generic.max_by_key(|found| count(found));
         let mut begun = (0..STARTS).map(|start| (start, Random::new(start)));
-        let anywhere = begun.clone().map(|(start, mut random)| {
-            let values = self.start(&mut random, start);
-            count(&self.independent_at(&values))
-        });
-        let most = anywhere.take(4).max()?;
         let closed = begun.by_ref().filter_map(|(start, mut random)| {
             let mut values = self.start(&mut random, start);
             self.close(&mut values)?;
-            self.moves(&values, &mut random)
-                .then(|| self.independent_at(&values))
+            let moves = self.moves(&values, &mut random)?;
+            Some((moves, self.independent_at(&values)))
         });
-        // folded states have fewer independent rows, but the generic closed state is wanted
-        let found = closed.max_by_key(|found| count(found))?;
-        (count(&found) < most).then_some(found)
+        // folded states have fewer independent rows, but the generic closed state is wanted; rows
+        // that hold all in place may be those of another assembly, which does not move
+        let closed = closed.max_by_key(|(moves, found)| (*moves, count(found)));
+        Rank {
+            closed: closed.map(|(_, found)| found),
+            anywhere,
+        }
     }
 
     fn start(&self, random: &mut Random, number: u64) -> Values {
@@ -127,10 +161,22 @@ impl<'a> Assembly<'a> {
             .collect()
     }
 
+    /// The rows in a state. Slopes that only rounding keeps from being zero are zero.
+    fn rounded_slopes(&self, values: &Values) -> Vec<Vec<f64>> {
+        let mut slopes = self.slopes(values);
+        let own = slopes.iter_mut().flatten();
+        for (slope, size) in own.zip(self.sizes.iter().flatten()) {
+            if slope.abs() < NOTHING * size {
+                *slope = 0.0;
+            }
+        }
+        slopes
+    }
+
     /// Whether each row is independent of the rows before it. The slopes along each coordinate are
     /// divided by the largest of them, because a distant point has large slopes along angles.
     fn independent_at(&self, values: &Values) -> Vec<bool> {
-        let mut rows = self.slopes(values);
+        let mut rows = self.rounded_slopes(values);
         for freedom in 0..self.rates.len() {
             let entries = rows.iter().map(|row| row[freedom].abs());
             let largest = entries.fold(f64::MIN_POSITIVE, f64::max);
@@ -193,9 +239,10 @@ impl<'a> Assembly<'a> {
         moved
     }
 
-    /// Whether the system can move on to a state with equally many independent rows.
-    fn moves(&self, values: &Values, random: &mut Random) -> bool {
-        let slopes = self.slopes(values);
+    /// Whether the system can move on to a state with equally many independent rows, or all that
+    /// rows hold is held in place. `None` if it is neither.
+    fn moves(&self, values: &Values, random: &mut Random) -> Option<bool> {
+        let slopes = self.rounded_slopes(values);
         let mut span = Span::default();
         for row in &slopes {
             span.take(row.clone());
@@ -203,16 +250,16 @@ impl<'a> Assembly<'a> {
         let is_held = |freedom: usize| slopes.iter().any(|row| row[freedom] != 0.0);
         let way = (0..self.rates.len()).map(|own| if is_held(own) { random.number() } else { 0.0 });
         let Some(way) = span.left(way.collect()) else {
-            return false;
+            let columns = 0..self.rates.len();
+            let held = columns.filter(|own| self.sizes.iter().any(|sizes| sizes[*own] > 0.0));
+            return (span.rank() == held.count()).then_some(false);
         };
         let step: Vec<f64> = way.iter().map(|part| MOVED * part).collect();
         let mut moved = self.moved(values, &step);
-        let Some(back) = self.close(&mut moved) else {
-            return false;
-        };
+        let back = self.close(&mut moved)?;
         let back: f64 = back.iter().zip(&way).map(|(a, b)| a * b).sum();
         let ranks = [values, &moved].map(|values| count(&self.independent_at(values)));
-        back > -0.5 * MOVED && ranks[0] == ranks[1]
+        (back > -0.5 * MOVED && ranks[0] == ranks[1]).then_some(true)
     }
 }
 

@@ -24,6 +24,7 @@ use super::rows::Owner;
 use super::semidefinite::Solver;
 
 /// Rows of one joint that have the same dimension, and which of them are independent.
+#[derive(Clone)]
 pub struct Group {
     rows: Vec<usize>,
     /// For each row, whether it is independent of those before it in closed states. Other choices
@@ -65,6 +66,8 @@ pub fn groups(graph: &Graph, kept: &[(Owner, ConstraintRow)], independent: &[boo
 /// What remains for the rows of `groups` once the masses and the rows that are always independent
 /// are eliminated.
 struct Left {
+    /// The rows that are always independent.
+    full: Vec<usize>,
     groups: Vec<Group>,
     /// The rows of all groups, in order.
     rows: Vec<usize>,
@@ -84,16 +87,12 @@ pub fn dependent(
     work: &mut Workspace,
     matrix: &MassMatrix,
     kept: &[(Owner, ConstraintRow)],
-    groups: Vec<Group>,
+    groups: &[Group],
     (rates, is_turning): (&[Id], &[bool]),
 ) -> Option<Found> {
     let count = matrix.driving.len();
-    let (full, groups): (Vec<Group>, Vec<Group>) = groups
-        .into_iter()
-        .partition(|group| group.rank() == group.rows.len());
-    let full: Vec<usize> = full.into_iter().flat_map(|group| group.rows).collect();
     let closeness = Closeness::of(&mut work.graph, kept, rates, is_turning);
-    let left = left(work, matrix, kept, (&full, groups))?;
+    let left = left(work, matrix, kept, groups)?;
     let graph = &mut work.graph;
     let solver = {
         let groups = left.groups.iter();
@@ -115,7 +114,7 @@ pub fn dependent(
     let held = loads.iter().map(|load| graph.multiply(holds, *load));
     let held: Vec<Id> = held.collect();
     let (accelerations, of_full) = all.split_at(count);
-    let rows = [&full[..], &left.rows].concat();
+    let rows = [&left.full[..], &left.rows].concat();
     let loads = by_row(graph, &rows, (of_full, &held));
     let (mut loose, mut follows) = (Vec::new(), vec![false; kept.len()]);
     for own in left.spare() {
@@ -143,21 +142,37 @@ fn by_row(graph: &Graph, rows: &[usize], (first, others): (&[Id], &[Id])) -> Vec
     loads
 }
 
-/// Eliminates the masses and the rows that are always independent.
+/// The acceleration of a row per unit of its load, if masses do not couple the coordinates.
+fn bound(graph: &mut Graph, matrix: &MassMatrix, row: &ConstraintRow) -> Id {
+    let alone = row.slopes.iter().enumerate().map(|(freedom, slope)| {
+        let square = graph.square(*slope);
+        graph.divide(square, matrix.rows[freedom][freedom])
+    });
+    let alone: Vec<Id> = alone.collect();
+    graph.sum(&alone)
+}
+
+/// Eliminates the masses and the rows that are always independent. `None` if masses and these rows
+/// do not determine the motion.
 fn left(
     work: &mut Workspace,
     matrix: &MassMatrix,
     kept: &[(Owner, ConstraintRow)],
-    (full, groups): (&[usize], Vec<Group>),
+    groups: &[Group],
 ) -> Option<Left> {
     let count = matrix.driving.len();
-    let held: Vec<&ConstraintRow> = full.iter().map(|row| &kept[*row].1).collect();
+    let (full, groups): (Vec<Group>, Vec<Group>) = groups
+        .iter()
+        .cloned()
+        .partition(|group| group.rank() == group.rows.len());
+    let full: Vec<usize> = full.into_iter().flat_map(|group| group.rows).collect();
+    let rows: Vec<&ConstraintRow> = full.iter().map(|row| &kept[*row].1).collect();
     let following = Following {
-        loads: &vec![None; held.len()],
+        loads: &vec![None; rows.len()],
         accelerations: &[],
     };
-    let equations = equations(work, matrix, &held, following);
-    let unknowns = count + held.len();
+    let equations = equations(work, matrix, &rows, following);
+    let unknowns = count + rows.len();
     let graph = &mut work.graph;
     let solved = graph.solve(equations.clone(), unknowns);
     if !solved.undetermined.is_empty() {
@@ -176,6 +191,7 @@ fn left(
         matrix: vec![vec![graph.zero(); rows.len()]; rows.len()],
         right: Vec::new(),
         bounds: Vec::new(),
+        full,
         groups,
         base,
         units,
@@ -193,12 +209,7 @@ fn left(
         let right = graph.add(row.bias, moved);
         let right = graph.negate(right);
         left.right.push(graph.quantity(right));
-        let alone = row.slopes.iter().enumerate().map(|(freedom, slope)| {
-            let square = graph.square(*slope);
-            graph.divide(square, matrix.rows[freedom][freedom])
-        });
-        let alone: Vec<Id> = alone.collect();
-        left.bounds.push(graph.sum(&alone));
+        left.bounds.push(bound(graph, matrix, row));
     }
     Some(left)
 }
@@ -262,8 +273,8 @@ fn guard_of(
     (closeness, solver): (&Closeness, &Solver),
 ) -> Option<Id> {
     let count = kept.first()?.1.slopes.len();
-    let mut holds = graph.one();
-    for step in &solver.steps {
+    let (mut holds, mut passed) = (graph.one(), graph.zero());
+    for (step, group) in solver.steps.iter().zip(&left.groups) {
         let (mut lacking, mut sizes, mut rows) = (Vec::new(), Vec::new(), Vec::new());
         for own in step.own.clone() {
             let row = &kept[left.rows[own]].1;
@@ -273,11 +284,21 @@ fn guard_of(
             let parts = row.slopes.iter().zip(&left.base[..count]);
             let parts = parts.chain(left.matrix[own].iter().zip(loads));
             let mut parts: Vec<Id> = parts.map(|(a, b)| graph.multiply(*a, *b)).collect();
-            parts.push(row.bias);
+            // bodies that move together leave only rounding errors of what they have in common
+            let bias = graph.unnamed(row.bias);
+            let bias = graph.terms(bias).into_iter();
+            parts.extend(bias.map(|(_, term)| term));
             sizes.extend(parts.into_iter().map(|part| graph.square(part)));
             rows.push(row);
         }
-        let (lacking, sizes) = (graph.sum(&lacking), graph.sum(&sizes));
+        let (lacking, own) = (graph.sum(&lacking), graph.sum(&sizes));
+        // rounding errors of loads push later rows too
+        let sizes = graph.multiply(passed, step.size);
+        let sizes = graph.add(own, sizes);
+        if group.rank() > 0 {
+            let own = graph.divide(own, step.size);
+            passed = graph.add(passed, own);
+        }
         let of_group = guard(graph, (lacking, sizes), (&rows, closeness), step.size)?;
         holds = graph.multiply(holds, of_group);
     }

@@ -30,6 +30,10 @@ impl Random {
 pub struct Span(Vec<Vec<f64>>);
 
 impl Span {
+    pub fn rank(&self) -> usize {
+        self.0.len()
+    }
+
     /// Whether a row is independent of those before it. If so, it is added.
     pub fn take(&mut self, row: Vec<f64>) -> bool {
         let left = self.left(row);

@@ -10,7 +10,7 @@ use crate::model::{System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Graph, Id};
 
 use super::super::constraints::{ConstraintRow, Ends, Placed, push_written};
-use super::assembly::{Assembly, Coordinates};
+use super::assembly::{Assembly, Coordinates, Rank};
 use super::dependent::{dependent, groups};
 use super::eliminated::{Following, Found, eliminated};
 use super::in_plane::in_plane;
@@ -115,10 +115,13 @@ fn found(
     (known, coordinates): (&Known<'_>, &Coordinates),
     (matrix, accelerations): (&MassMatrix, &[Id]),
 ) -> Found {
-    if let Some(found) = where_closed(system, work, (known, coordinates), matrix) {
+    let rank = rank(system, work, known, coordinates);
+    if let Some(found) = where_closed(work, (known, coordinates), matrix, &rank) {
         return found;
     }
-    let by_blocks = if system.is_planar && known.idle.is_empty() {
+    let is_full = |rows: &Vec<bool>| rows.iter().all(|is_new| *is_new);
+    let is_regular = rank.anywhere.as_ref().is_none_or(is_full);
+    let by_blocks = if system.is_planar && known.idle.is_empty() && is_regular {
         in_plane(work, known)
     } else {
         None
@@ -143,15 +146,33 @@ fn found(
     }
 }
 
-/// The solution with rows that depend on each other only in closed states. `None` if there are no
-/// such rows, or if loads depend on those of constraints.
+/// Which rows depend on others. Nothing is known if loads depend on those of constraints.
+fn rank(system: &System, work: &Workspace, known: &Known<'_>, coordinates: &Coordinates) -> Rank {
+    if known.is_followed(work, &known.in_world) {
+        return Rank::default();
+    }
+    let rows = known.kept.iter().map(|(_, row)| row).collect();
+    Assembly::new(system, work, coordinates, rows).rank()
+}
+
+/// The solution with rows that depend on each other in closed states. `None` if there are no such
+/// rows, or if a written constraint follows from others in all states.
 fn where_closed(
-    system: &System,
     work: &mut Workspace,
     (known, coordinates): (&Known<'_>, &Coordinates),
     matrix: &MassMatrix,
+    rank: &Rank,
 ) -> Option<Found> {
-    if known.is_followed(work, &known.in_world) {
+    let (anywhere, closed) = (rank.anywhere.as_ref()?, rank.closed.as_ref()?);
+    let mut all = known.kept.iter().zip(anywhere);
+    let is_redundant = all.any(|((owner, _), is_new)| owner.number().is_some() && !is_new);
+    let count = |rows: &[bool]| rows.iter().filter(|is_new| **is_new).count();
+    let most = if is_redundant {
+        count(anywhere)
+    } else {
+        anywhere.len()
+    };
+    if count(closed) >= most {
         return None;
     }
     let open = known.built.tree.links.iter().flat_map(Link::open);
@@ -159,14 +180,12 @@ fn where_closed(
     let is_turning: Vec<bool> = open
         .map(|freedom| !graph.is_zero_vector(&freedom.twist.angular))
         .collect();
-    let rows = known.kept.iter().map(|(_, row)| row).collect();
-    let independent = Assembly::new(system, work, coordinates, rows).independent()?;
-    let groups = groups(&work.graph, &known.kept, &independent);
+    let groups = groups(&work.graph, &known.kept, closed);
     dependent(
         work,
         matrix,
         &known.kept,
-        groups,
+        &groups,
         (&coordinates.rates, &is_turning),
     )
 }

@@ -1,0 +1,88 @@
+//! Bodies that are held to others in more places than needed, on carriers that move.
+
+use newton_euler::prelude::*;
+
+/// Two bodies on a hinge, held to each other by two joints.
+macro_rules! pair {
+    ($name:ident $first:expr, $second:expr) => {
+        rigid_system!($name {
+            bodies: [
+                a {
+                    mass: 1.5[kg],
+                    inertia: sphere(0.1),
+                    points: [o = (1, 0, 0), _h = (0.2, 0, 0.1), _k = (0.2, 0.1, 0.1)]
+                },
+                b {
+                    mass: 0.5[kg],
+                    inertia: sphere(0.2),
+                    points: [_h = (0.2, 0, 0.1), _k = (0.2, 0.1, 0.1)]
+                },
+            ],
+            joints: [
+                swing = revolute(world(0, 0, 0), a.o, world(0, 1, 0)),
+                first = $first,
+                second = $second,
+            ],
+            fields: [weight = mass * world(0, 0, -9.81[m / s ^ 2])],
+        });
+    };
+}
+pair!(Hinges revolute(a.G, b.G, body(0, 0, 1)), revolute(a._h, b._h, body(0, 0, 1)));
+pair!(Askew revolute(a.G, b.G, body(0, 0, 1)), revolute(a._k, b._k, body(0, 0, 1)));
+pair!(Welded revolute(a.G, b.G, body(0, 0, 1)), weld(a._h, b._h));
+pair!(BallAndWeld spherical(a.G, b.G), weld(a._k, b._k));
+
+rigid_system!(Pins {
+    motion: planar,
+    bodies: [
+        a {
+            mass: 1.5[kg],
+            inertia: 0.006[kg * m ^ 2],
+            points: [o = (1, 0), _h = (0.2, 0)]
+        },
+        b {
+            mass: 0.5[kg],
+            inertia: 0.008[kg * m ^ 2],
+            points: [_h = (0.2, 0)]
+        },
+    ],
+    joints: [
+        swing = revolute(world(0, 0), a.o),
+        first = revolute(a.G, b.G),
+        second = revolute(a._h, b._h),
+    ],
+    fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+});
+
+#[test]
+fn two_bodies_swing_as_one() {
+    // solid spheres of both radii at one place, 1 m off the axis
+    let inertia = 0.4 * (1.5 * 0.01 + 0.5 * 0.04) + 2.0;
+    for (angle, angular_velocity) in [(0.0, 0.0), (0.4, 0.3), (-1.1, 10.0), (2.0, 1e-3)] {
+        let swing = Hinge {
+            angle,
+            angular_velocity,
+        };
+        macro_rules! check {
+            ($name:ident $state:ident, $side:expr) => {
+                let state = $state {
+                    swing,
+                    ..$state::default()
+                };
+                $name::default().check(0.0, &state, &()).unwrap();
+                let found = $name::default().acceleration(0.0, &state, &()).swing;
+                let expected = $side * 2.0 * 9.81 * f64::cos(angle) / inertia;
+                assert!(
+                    (found - expected).abs() < 1e-12,
+                    "{}: {found}, {expected}",
+                    stringify!($name)
+                );
+            };
+        }
+        check!(Hinges HingesState, -1.0);
+        check!(Askew AskewState, -1.0);
+        check!(Welded WeldedState, -1.0);
+        check!(BallAndWeld BallAndWeldState, -1.0);
+        check!(Pins PinsState, 1.0);
+    }
+}

@@ -1,5 +1,6 @@
 //! Bodies that are held to others in more places than needed, on carriers that move.
 
+use newton_euler::nalgebra::{UnitQuaternion, Vector3};
 use newton_euler::prelude::*;
 
 /// Two bodies on a hinge, held to each other by two joints.
@@ -84,5 +85,103 @@ fn two_bodies_swing_as_one() {
         check!(Welded WeldedState, -1.0);
         check!(BallAndWeld BallAndWeldState, -1.0);
         check!(Pins PinsState, 1.0);
+    }
+}
+
+/// A pendulum on another one. What joins them is a frame without mass, whose motion the lower one
+/// would undo, if it were not held to the upper one; or nothing.
+macro_rules! double {
+    ($name:ident [$($frame:ident)?] $($joint:ident = $kind:expr),+) => {
+        rigid_system!($name {
+            bodies: [
+                upper { mass: 1[kg], inertia: sphere(0.1), points: [o = (1, 0, 0), _h = (0, 0.2, 0.1)] },
+                $($frame { mass: 0[kg], points: [_h = (0, 0.2, 0.1)] },)?
+                lower { mass: 2[kg], inertia: sphere(0.3), points: [o = (0, 0, 0.7)] },
+            ],
+            joints: [swing = revolute(world(0, 0, 0), upper.o, world(0, 1, 0)), $($joint = $kind),+],
+            fields: [weight = mass * world(0, 0, -9.81[m / s ^ 2])],
+        });
+    };
+}
+double!(Direct [] hung = spherical(upper.G, lower.o));
+double!(HingeAndWeld [frame]
+    first = revolute(upper.G, frame.G, body(0, 0, 1)),
+    hung = spherical(frame.G, lower.o),
+    second = weld(upper._h, frame._h)
+);
+double!(FramedBall [frame]
+    first = spherical(upper.G, frame.G),
+    hung = spherical(frame.G, lower.o),
+    second = weld(upper._h, frame._h)
+);
+
+/// The same in the plane.
+macro_rules! planar {
+    ($name:ident [$($frame:ident)?] $($joint:ident = $kind:expr),+) => {
+        rigid_system!($name {
+            motion: planar,
+            bodies: [
+                upper { mass: 1[kg], inertia: disc(0.1), points: [o = (1, 0), _h = (0.2, 0.1)] },
+                $($frame { mass: 0[kg], points: [_h = (0.2, 0.1)] },)?
+                lower { mass: 2[kg], inertia: disc(0.3), points: [o = (0.7, 0)] },
+            ],
+            joints: [swing = revolute(world(0, 0), upper.o), $($joint = $kind),+],
+            fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+        });
+    };
+}
+planar!(Flat [] hung = revolute(upper.G, lower.o));
+planar!(FlatPins [frame]
+    first = revolute(upper.G, frame.G),
+    hung = revolute(frame.G, lower.o),
+    second = revolute(upper._h, frame._h)
+);
+planar!(FlatWeld [frame]
+    first = revolute(upper.G, frame.G),
+    hung = revolute(frame.G, lower.o),
+    second = weld(upper._h, frame._h)
+);
+
+#[test]
+fn a_frame_that_is_held_twice_is_part_of_what_holds_it() {
+    for (angle, angular_velocity) in [(0.0, 0.0), (0.4, 0.3), (-1.1, 10.0)] {
+        let swing = Hinge {
+            angle,
+            angular_velocity,
+        };
+        macro_rules! compare {
+            ($($name:ident $state:ident),+; $direct:ident $alone:ident; $hung:expr; $values:expr) => {
+                let state = $alone { swing, hung: $hung };
+                let expected = $direct::default().acceleration(0.0, &state, &());
+                $(
+                    let state = $state { swing, hung: $hung, ..$state::default() };
+                    $name::default().check(0.0, &state, &()).unwrap();
+                    let found = $name::default().acceleration(0.0, &state, &());
+                    let parts = [(found.swing, expected.swing)].into_iter();
+                    let hung = $values(found.hung).into_iter().zip($values(expected.hung));
+                    for (found, expected) in parts.chain(hung) {
+                        let size = 1.0 + angular_velocity.powi(2);
+                        assert!(
+                            (found - expected).abs() < 1e-11 * size,
+                            "{}: {found}, {expected}",
+                            stringify!($name)
+                        );
+                    }
+                )+
+            };
+        }
+        compare!(
+            HingeAndWeld HingeAndWeldState, FramedBall FramedBallState; Direct DirectState;
+            Rotation {
+                attitude: UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.7),
+                angular_velocity: [0.3, -0.2, 0.9].into(),
+            };
+            |hung: Vector3<f64>| [hung.x, hung.y, hung.z]
+        );
+        compare!(
+            FlatPins FlatPinsState, FlatWeld FlatWeldState; Flat FlatState;
+            Hinge { angle: 0.7, angular_velocity: -1.1 };
+            |hung: f64| [hung]
+        );
     }
 }

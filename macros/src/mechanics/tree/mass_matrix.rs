@@ -11,6 +11,7 @@ use super::link::{Link, Tree};
 use super::spatial::{SpatialInertia, SpatialVector};
 
 /// `M q'' = drives - bias`, with a row and a column for each coordinate, link by link.
+#[derive(Clone)]
 pub struct MassMatrix {
     pub rows: Vec<Vec<Id>>,
     /// The drive of each coordinate, minus the load that the motion needs without acceleration.

@@ -12,6 +12,16 @@
 //! rank is below k. That the rank is k is neither proved nor assumed: if `S l` differs from r by
 //! more than rounding and the distance of the state from a closed one explain, the result is NaN.
 //! Otherwise all rows are satisfied and all balances hold, which determines the motion.
+//!
+//! Bodies without mass may make M singular, so that only the rows hold what they can do. Then the
+//! rows are added to it, with positive weights W:
+//!
+//! ```text
+//! (M + A^T W A) q'' - A^T l = f - A^T W b        A q'' = -b
+//! ```
+//!
+//! The accelerations and the loads are the same. This sum is positive if the motion is determined:
+//! M has no negative eigenvalue, and what neither M nor A resists is not determined.
 
 use crate::mechanics::tree::MassMatrix;
 use crate::model::Workspace;
@@ -92,7 +102,10 @@ pub fn dependent(
 ) -> Option<Found> {
     let count = matrix.driving.len();
     let closeness = Closeness::of(&mut work.graph, kept, rates, is_turning);
-    let left = left(work, matrix, kept, groups)?;
+    let left = left(work, matrix, kept, groups).or_else(|| {
+        let held = held(&mut work.graph, matrix, kept, groups);
+        left(work, &held, kept, groups)
+    })?;
     let graph = &mut work.graph;
     let solver = {
         let groups = left.groups.iter();
@@ -140,6 +153,39 @@ fn by_row(graph: &Graph, rows: &[usize], (first, others): (&[Id], &[Id])) -> Vec
         loads[*row] = *load;
     }
     loads
+}
+
+/// The masses and their loads, with those that the rows add in their directions where they hold.
+/// Rows that follow from others in all closed states are not needed, and may vanish there.
+fn held(
+    graph: &mut Graph,
+    matrix: &MassMatrix,
+    kept: &[(Owner, ConstraintRow)],
+    groups: &[Group],
+) -> MassMatrix {
+    let mut all = matrix.clone();
+    for group in groups.iter().filter(|group| group.rank() > 0) {
+        let rows: Vec<&ConstraintRow> = group.rows.iter().map(|row| &kept[*row].1).collect();
+        let bounds = rows.iter().map(|row| bound(graph, matrix, row));
+        let bounds: Vec<Id> = bounds.collect();
+        let (bounds, one) = (graph.sum(&bounds), graph.one());
+        let weight = graph.divide(one, bounds);
+        let weight = graph.quantity(weight);
+        for row in rows {
+            for (own, slope) in row.slopes.iter().enumerate() {
+                let push = graph.multiply(weight, *slope);
+                for (other, factor) in row.slopes.iter().enumerate().take(own + 1) {
+                    let added = graph.multiply(push, *factor);
+                    let entry = graph.add(all.rows[own][other], added);
+                    all.rows[own][other] = entry;
+                    all.rows[other][own] = entry;
+                }
+                let load = graph.multiply(push, row.bias);
+                all.driving[own] = graph.subtract(all.driving[own], load);
+            }
+        }
+    }
+    all
 }
 
 /// The acceleration of a row per unit of its load, if masses do not couple the coordinates.

@@ -1,5 +1,6 @@
 //! Constraints, their reactions, and inverse dynamics.
 
+mod beside_a_pin;
 mod inverse;
 mod inverse_constrained;
 mod inverse_turning;

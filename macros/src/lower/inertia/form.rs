@@ -55,7 +55,9 @@ impl Lowering<'_> {
         let turns = self.motion.has_attitude();
         match &base(value).kind {
             Kind::Call(word, _) if word == "rod" && !self.motion.has_one_moment() => {
-                if turns && !self.state.swings {
+                let beside = |mass| self.turns_beside(draft.inertia, mass, defaults);
+                let is_held = mass.known().is_some_and(beside);
+                if turns && !self.state.swings && !is_held {
                     let under = self.under();
                     return self.report(
                         word.span(),

@@ -69,6 +69,29 @@ impl Lowering<'_> {
         self.report(place, message)
     }
 
+    /// Whether a body that is held at a point has an inertia about all axes through this point,
+    /// although not about all through its G: its mass lies on a line beside the point.
+    pub fn turns_beside(&mut self, inertia: Inertia, mass: Id, defaults: &Defaults) -> bool {
+        let is_point = self.motion.orientation == Orientation::Quaternion;
+        let Some(support) = self.state.support.filter(|_| is_point) else {
+            return false;
+        };
+        let graph = &mut self.work.graph;
+        let about_support = inertia.displaced(graph, mass, support.offset);
+        let [own, held] = [inertia, about_support].map(|inertia| {
+            let numbers = self.all_known(&inertia.entries(), defaults);
+            numbers
+                .filter(|numbers| numbers.len() == 9)
+                .map(|numbers| matrix(&numbers))
+        });
+        let (Some(own), Some(held)) = (own, held) else {
+            return false;
+        };
+        let turns = Violation::unbalanced(&own).is_none() && Violation::find(&held).is_none();
+        self.state.swings |= turns;
+        turns
+    }
+
     /// What makes an inertia impossible for a body that moves like this one.
     fn violation(&self, matrix: &Matrix) -> Option<Violation> {
         if self.state.swings {
@@ -162,6 +185,7 @@ impl Lowering<'_> {
                 format!("about {axis} it is {}", shown(moment))
             }
             (Inertia::Spatial(_), numbers) => match self.violation(&matrix(numbers)) {
+                Some(_) if self.turns_beside(inertia, composed.mass, defaults) => return Some(()),
                 Some(violation) => violation.message,
                 None => return Some(()),
             },

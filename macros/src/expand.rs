@@ -121,7 +121,7 @@ fn solve<S: Listed>(
         tensor: outputs.tensor(),
         properties: model.properties().to_vec(),
     };
-    let bodies = model.substances();
+    let bodies = model.substances(&mut work);
     let constants = Constants {
         outline,
         bodies: &bodies,

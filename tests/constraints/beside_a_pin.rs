@@ -1,7 +1,9 @@
 //! Bodies whose mass lies on one line, held at a point beside it: about this point, all axes have an
-//! inertia. Compared with Newton's law of each point mass.
+//! inertia. Compared with Newton's law of each point mass. Parameters that leave no inertia are refused.
 
 use nalgebra::{UnitQuaternion, Vector3};
+use newton_euler::body::Impossible;
+use newton_euler::inertia::InvalidInertia;
 use newton_euler::prelude::*;
 
 rigid_body!(TwoPoints {
@@ -77,4 +79,32 @@ fn a_rod() {
     let rate = Slanted::default().acceleration(0.0, &state, &());
     let [_, moment] = inertial(&state, rate, &points);
     assert!(moment.norm() < 1e-13, "{moment}");
+}
+
+rigid_system!(Hung {
+    params: [x = 0.5[m]],
+    bodies: [
+        ball { mass: 1[kg], inertia: principal(0, 0, 0)[kg * m ^ 2], points: [pin = (x, 0, 0)] },
+    ],
+    joints: [hinge = revolute(world(0, 0, 0), ball.pin, world(0, 1, 0))],
+});
+
+rigid_body!(Bob {
+    params: [x = 0.5[m]],
+    motion: fixed_axis(pin, body(0, 1, 0)),
+    points: [pin = (x, 0, 0)],
+    inertia: compose([point(3[kg])]),
+});
+
+#[test]
+fn without_inertia_about_what_holds_it() {
+    let singular = InvalidBody::Inertia(InvalidInertia::Singular);
+    let found = TwoPoints::new(TwoPointsParams { second: 0.0 }).err();
+    assert_eq!(found, Some(singular));
+    let found = Bob::new(BobParams { x: 0.0 }).err();
+    assert_eq!(found, Some(InvalidBody::PlanarInertia { value: 0.0 }));
+    let impossible = Impossible::PlanarInertia(0.0);
+    let body = "ball";
+    let found = Hung::new(HungParams { x: 0.0 }).err();
+    assert_eq!(found, Some(InvalidBody::Member { body, impossible }));
 }

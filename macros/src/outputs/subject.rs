@@ -1,6 +1,8 @@
 //! What outputs are derived for: a single body or a system. Outputs common to both are written
 //! once.
 
+use std::iter;
+
 use crate::emit::code::Shapes;
 use crate::emit::items::Equated;
 use crate::errors::{Errors, Extent};
@@ -34,8 +36,8 @@ pub trait Subject: Tangent + Sized + 'static {
     /// Its accelerations in the order of the state, and the times at which they switch.
     fn equated(&self, outline: &Outline, equations: &Self::Equations) -> Equated;
 
-    /// The mass and inertia of its bodies.
-    fn substances(&self) -> Vec<Substance>;
+    /// The mass and inertia of its bodies, also about the points about which they swing.
+    fn substances(&self, work: &mut Workspace) -> Vec<Substance>;
 
     /// The properties of its links and cables, and the inertia of its bodies with added mass.
     fn properties(&self) -> &[Property];
@@ -139,8 +141,13 @@ impl Subject for Model {
         }
     }
 
-    fn substances(&self) -> Vec<Substance> {
-        vec![self.substance()]
+    fn substances(&self, work: &mut Workspace) -> Vec<Substance> {
+        let (body, graph) = (self.substance(), &mut work.graph);
+        let held = self.state.support.and_then(|support| {
+            let axis = self.hinge(graph);
+            body.held(graph, support.offset, axis)
+        });
+        iter::once(body).chain(held).collect()
     }
 
     fn properties(&self) -> &[Property] {
@@ -244,8 +251,14 @@ impl Subject for System {
         }
     }
 
-    fn substances(&self) -> Vec<Substance> {
-        self.bodies.iter().map(Member::substance).collect()
+    fn substances(&self, work: &mut Workspace) -> Vec<Substance> {
+        let mut all: Vec<Substance> = self.bodies.iter().map(Member::substance).collect();
+        for joint in &self.joints {
+            let axis = joint.directions.first().copied();
+            let held = all[joint.carried].held(&mut work.graph, joint.pin, axis);
+            all.extend(held);
+        }
+        all
     }
 
     fn properties(&self) -> &[Property] {

@@ -43,7 +43,7 @@ pub fn check_mass<T: Scalar>(value: T) -> Result<(), Impossible> {
     }
 }
 
-/// The moment of inertia of a planar body, or of a rod \[kg m²\]: finite and positive.
+/// The moment of inertia of a planar body, of a rod, or about a hinge \[kg m²\]: finite and positive.
 ///
 /// # Errors
 /// [`Impossible::PlanarInertia`].

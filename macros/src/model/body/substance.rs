@@ -1,6 +1,6 @@
 //! Mass and inertia of a body, for checks.
 
-use crate::symbolic::Id;
+use crate::symbolic::{Components, Graph, Id};
 
 use super::inertia::Inertia;
 
@@ -18,6 +18,31 @@ impl Substance {
     /// The entries xx, yy, zz, xy, yz, zx of the inertia, or the single moment of a planar body.
     pub fn inertia_entries(&self) -> Vec<Id> {
         self.inertia.distinct_entries()
+    }
+
+    /// What a body that swings about a point has about it: its moment about the axis, if there is
+    /// one. `None` for a body that does not swing, whose inertia about G says enough.
+    pub fn held(
+        &self,
+        graph: &mut Graph,
+        point: Components,
+        axis: Option<Components>,
+    ) -> Option<Self> {
+        let mass = self.mass.filter(|_| self.swings)?;
+        let about_point = self.inertia.displaced(graph, mass, point);
+        let inertia = match (about_point, axis) {
+            (Inertia::Spatial(_), Some(axis)) => {
+                let momentum = about_point.times(graph, axis);
+                Inertia::Scalar(graph.dot(axis, momentum))
+            }
+            _ => about_point,
+        };
+        Some(Self {
+            name: self.name.clone(),
+            mass: None,
+            inertia,
+            swings: false,
+        })
     }
 
     /// The entries of the inertia, and the mass.

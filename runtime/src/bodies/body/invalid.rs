@@ -29,7 +29,8 @@ pub enum InvalidBody {
         /// The given value \[kg\].
         value: f64,
     },
-    /// The moment of inertia `J_G` of a planar body or of a rod is not a positive finite number.
+    /// The moment of inertia `J_G` of a planar body or of a rod, or that of a body about its hinge, is
+    /// not a positive finite number.
     PlanarInertia {
         /// The given value \[kg m²\].
         value: f64,
@@ -60,7 +61,8 @@ pub enum InvalidBody {
 pub enum Impossible {
     /// A mass that is not a positive finite number \[kg\].
     Mass(f64),
-    /// A moment of inertia `J_G` that is not a positive finite number \[kg m²\].
+    /// A moment of inertia `J_G`, or that about the hinge, that is not a positive finite number
+    /// \[kg m²\].
     PlanarInertia(f64),
     /// An inertia tensor.
     Inertia(InvalidInertia),

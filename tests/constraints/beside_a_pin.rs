@@ -83,9 +83,11 @@ fn a_rod() {
 
 rigid_system!(Hung {
     params: [x = 0.5[m]],
-    bodies: [
-        ball { mass: 1[kg], inertia: principal(0, 0, 0)[kg * m ^ 2], points: [pin = (x, 0, 0)] },
-    ],
+    bodies: [ball {
+        mass: 1[kg],
+        inertia: principal(0, 0, 0)[kg * m ^ 2],
+        points: [pin = (x, 0, 0)]
+    },],
     joints: [hinge = revolute(world(0, 0, 0), ball.pin, world(0, 1, 0))],
 });
 

@@ -71,15 +71,7 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
         };
         let motions = motions.as_mut_slice();
         in_lanes(&plan, motions, ensemble.width, &mut ensemble.states, &done);
-        let is_finite = |coordinates: &<B::State as Coordinates>::Array| {
-            coordinates.as_ref().iter().sum::<f64>().is_finite()
-        };
-        let is_lost = |index: &usize| {
-            let now = motions.get(*index).map(|motion| &motion.run.track.now);
-            !is_finite(&ensemble.states.get(*index).coordinates())
-                || now.is_some_and(|now| !is_finite(&now.coordinates))
-        };
-        let lost: Vec<usize> = (0..before.len()).filter(is_lost).collect();
+        let lost = ensemble.states.lost();
         for index in &lost {
             ensemble.states.set(*index, &before.get(*index));
         }

@@ -33,12 +33,14 @@ pub(super) struct Ways<'e, M> {
     /// One for each member; the register has `count` of them.
     each: [Way; BLOCK],
     count: usize,
+    /// Whether all members are within the same steps, so that the first stands for all.
+    are_alike: bool,
     /// Whether a part of the inputs moves.
     moves: bool,
 }
 
 /// Equal steps of one member within a stretch.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 struct Way {
     stretch: Stretch,
     start: f64,
@@ -69,9 +71,10 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
             times: plan.times.clone(),
             each: core::array::from_fn(way),
             count: L::Scalar::LANES.min(BLOCK),
+            are_alike: false,
             moves: body.input_after(input, L::Scalar::default()).is_some(),
         };
-        (0..ways.count).for_each(|lane| ways.go_on(member, lane));
+        ways.all_go_on(member);
         ways
     }
 
@@ -82,7 +85,36 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
             let Stretch { lower, upper, .. } = way.stretch;
             way.end == end && lower <= start.min(end) && start.max(end) <= upper
         };
-        !self.moves && self.each.iter().take(self.count).all(is_plain)
+        !self.moves && (0..self.count).all(|lane| is_plain(self.of(lane)))
+    }
+
+    /// The next steps of all members.
+    #[cfg_attr(not(unoptimized), inline(always))]
+    fn all_go_on<L: RigidBody<Scalar: Scalar>>(&mut self, member: (&L, &L::Input)) {
+        let (limits, [first, ..]) = (self.limits, self.each);
+        let is_over = |way: &Way| !limits.is_before(way.time(), way.stretch.next);
+        // their equations may change at different times
+        if !self.are_alike || is_over(&first) {
+            if self.are_alike {
+                self.each = [first; BLOCK];
+            }
+            for (lane, way) in self.each.iter_mut().enumerate().take(self.count) {
+                let now = way.time();
+                // a member that is there needs the stretch of its last step
+                if way.goes && limits.is_before(now, self.times.end) {
+                    limits.until(member, &mut way.stretch, now, lane);
+                }
+            }
+            let [first, others @ ..] = &self.each;
+            self.are_alike = others.iter().take(self.count - 1).all(|way| way == first);
+        }
+        let count = if self.are_alike { 1 } else { self.count };
+        (0..count).for_each(|lane| self.go_on(member, lane));
+    }
+
+    /// The progress of a member.
+    fn of(&self, lane: usize) -> &Way {
+        &self.each[if self.are_alike { 0 } else { lane }]
     }
 
     /// The next steps of a member, if the last ones are taken.
@@ -131,7 +163,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
             (state.coordinates(), Default::default())
         };
         let (mut since, mut before) = (Lanes::splat(simd, 0.0), coordinates);
-        while self.each.iter().take(self.count).any(|way| way.goes) {
+        while (0..self.count).any(|lane| self.of(lane).goes) {
             let [time, step, lower, upper] = [
                 Way::time,
                 Way::step,
@@ -153,19 +185,22 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
             L::State::keep(&coordinates, &mut change);
             let (mut next, mut next_lost) = (coordinates, lost);
             add(&mut next, &mut next_lost, &change);
-            let is_there = step.equal(Lanes::splat(simd, 0.0));
-            if are_kept {
-                since = Lanes::select(is_there, since, time);
-                replace(&mut before, &coordinates, is_there);
+            if self.are_alike {
+                (since, before) = (time, coordinates);
+                (coordinates, lost) = (next, next_lost);
+            } else {
+                let is_there = step.equal(Lanes::splat(simd, 0.0));
+                if are_kept {
+                    since = Lanes::select(is_there, since, time);
+                    replace(&mut before, &coordinates, is_there);
+                }
+                replace(&mut coordinates, &next, is_there);
+                replace(&mut lost, &next_lost, is_there);
             }
-            replace(&mut coordinates, &next, is_there);
-            replace(&mut lost, &next_lost, is_there);
-            for lane in 0..self.count {
-                self.stepped(member, lane);
-            }
+            self.stepped(member);
         }
         for (lane, motion) in motions.iter_mut().enumerate().take(self.count) {
-            let way = &self.each[lane];
+            let way = self.of(lane);
             way.keep(motion);
             let Track {
                 now, before: last, ..
@@ -183,23 +218,29 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
 
     /// After a step of all members that go.
     #[cfg_attr(not(unoptimized), inline(always))]
-    fn stepped<L: RigidBody<Scalar: Scalar>>(&mut self, member: (&L, &L::Input), lane: usize) {
+    fn stepped<L: RigidBody<Scalar: Scalar>>(&mut self, member: (&L, &L::Input)) {
         let is_cut = self.limits.max_step < f64::INFINITY;
-        let way = &mut self.each[lane];
-        if way.goes {
-            way.taken += 1;
-            way.has_moved = true;
-            way.goes = self.limits.is_before(way.time(), self.times.end);
-            if way.goes && (is_cut || way.taken == way.steps) {
-                self.go_on(member, lane);
+        let is_over = |way: &Way| way.goes && (is_cut || way.taken == way.steps);
+        let count = if self.are_alike { 1 } else { self.count };
+        for way in self.each.iter_mut().take(count) {
+            if way.goes {
+                way.taken += 1;
+                way.has_moved = true;
+                way.goes = self.limits.is_before(way.time(), self.times.end);
             }
+        }
+        if self.each.iter().take(count).any(is_over) {
+            self.all_go_on(member);
         }
     }
 
     /// A part of the ways of all members, in a register.
     #[cfg_attr(not(unoptimized), inline(always))]
     fn register<S: Register>(&self, simd: S, part: fn(&Way) -> f64) -> Lanes<S> {
-        let row: Eight = core::array::from_fn(|lane| part(&self.each[lane]));
+        if self.are_alike {
+            return Lanes::splat(simd, part(self.of(0)));
+        }
+        let row: Eight = core::array::from_fn(|lane| part(self.of(lane)));
         let (registers, _) = S::as_simd_f64s(&row);
         Lanes::new(simd, registers[0])
     }

@@ -24,7 +24,11 @@ impl Stretch {
     }
 
     /// Checks the periods of conditions in a motion between these times.
+    #[inline]
     pub(crate) fn check(&self, times: &Range<f64>) -> Result<(), InvalidSetting> {
+        if self.period == f64::INFINITY {
+            return Ok(());
+        }
         setting::check(times, [(Setting::PeriodOfCondition, self.period)])
     }
 }

@@ -186,3 +186,80 @@ fn a_frame_that_is_held_twice_is_part_of_what_holds_it() {
         );
     }
 }
+
+/// Two bodies that two joints make one, in flight.
+macro_rules! flying {
+    ($name:ident $($joint:ident = $kind:expr),+) => {
+        rigid_system!($name {
+            bodies: [
+                base {
+                    mass: 2[kg],
+                    inertia: principal(0.3, 0.4, 0.5)[kg * m ^ 2],
+                    points: [h = (0.3, 0.1, 0), _l = (0.3, 0.4, 0)]
+                },
+                arm {
+                    mass: 1[kg],
+                    inertia: principal(0.1, 0.15, 0.2)[kg * m ^ 2],
+                    points: [h = (-0.4, 0, 0.1), _l = (-0.4, 0.3, 0.1)]
+                },
+            ],
+            joints: [flight = free(base), $($joint = $kind),+],
+        });
+    };
+}
+flying!(Rigid first = weld(base.h, arm.h));
+flying!(Offset
+    first = revolute(base.h, arm.h, body(0, 0, 1)),
+    second = revolute(base._l, arm._l, body(0, 0, 1))
+);
+
+// slopes of the directions of the axes are zero, or as small as rounding makes them
+#[test]
+fn two_bodies_fly_as_one_in_all_attitudes() {
+    for number in 0..200 {
+        let angle = 0.1 * f64::from(number);
+        let axis = Vector3::new(angle.sin(), angle.cos(), (2.0 * angle).sin());
+        let flight = Spatial {
+            attitude: UnitQuaternion::from_scaled_axis(axis * angle),
+            angular_velocity: (axis * 0.7).into(),
+            ..Spatial::default()
+        };
+        let state = OffsetState {
+            flight,
+            ..OffsetState::default()
+        };
+        Offset::default().check(0.0, &state, &()).unwrap();
+        let found = Offset::default().acceleration(0.0, &state, &()).flight;
+        let expected = Rigid::default().acceleration(0.0, &RigidState { flight }, &());
+        let error = (found.angular - expected.flight.angular).norm();
+        assert!(error < 1e-12, "{number}: {found:?}, {expected:?}");
+    }
+}
+
+// a rail that a second one repeats: where all positions are zero, so are all terms of the rows
+rigid_system!(Rails {
+    bodies: [
+        sledge {
+            mass: 1[kg],
+            inertia: sphere(0.1),
+            points: [p = (0, 1, 0)]
+        },
+        other {
+            mass: 1[kg],
+            inertia: sphere(0.1)
+        },
+    ],
+    joints: [
+        first = planar(world(0, 0, 0), sledge.G, world(0, 0, 1)),
+        second = prismatic(world(0, 1, 0), other.G, world(1, 0, 0)),
+        held = weld(sledge.p, other.G),
+        again = prismatic(world(0, 1, 0), sledge.p, world(1, 0, 0)),
+    ],
+    fields: [push = mass * world(1.5[m / s ^ 2], 0, 0)],
+});
+
+#[test]
+fn a_sledge_on_rails_starts_at_the_origin() {
+    let found = Rails::default().acceleration(0.0, &RailsState::default(), &());
+    assert!((found.second - 1.5).abs() < 1e-12, "{found:?}");
+}

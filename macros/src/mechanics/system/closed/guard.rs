@@ -11,6 +11,8 @@ const ROUNDING: f64 = 1e-12;
 /// If a state is off a closed one by some fraction, a row may be off by this multiple of the
 /// fraction.
 const REACH: i64 = 1 << 10;
+/// The size of a joint is at least this fraction of that of all: the rest of it is rounding.
+const SMALL: f64 = 1e-3;
 /// The remainder that is allowed where nothing moves: [m/s^2] or [rad/s^2].
 const NOTHING: f64 = 1e-30;
 
@@ -32,7 +34,7 @@ impl Closeness {
         rates: &[Id],
         is_turning: &[bool],
     ) -> Self {
-        let (mut place, mut rate) = (Vec::new(), Vec::new());
+        let mut joints = Vec::new();
         let mut rest = kept;
         while let Some((owner, _)) = rest.first() {
             let own = owner.joint_part(graph);
@@ -53,12 +55,28 @@ impl Closeness {
                     sizes.extend(terms.into_iter().map(|(_, term)| graph.square(term)));
                 }
             }
-            let size = graph.sum(&sizes);
+            let [values, fast, sizes] = [values, fast, sizes].map(|all| graph.sum(&all));
+            joints.push((own.map(|(_, is_moment)| is_moment), [values, fast, sizes]));
+        }
+        let lengths = joints.iter().filter(|(own, _)| *own == Some(false));
+        let lengths: Vec<Id> = lengths.map(|(_, [.., size])| *size).collect();
+        let lengths = graph.sum(&lengths);
+        let [small, nothing] =
+            [SMALL, NOTHING].map(|one| graph.number(Number::from_f64(one * one)));
+        let short = graph.multiply(small, lengths);
+        let short = graph.add(short, nothing);
+        let (mut place, mut rate) = (Vec::new(), Vec::new());
+        for (own, [values, fast, size]) in joints {
+            // all slopes and values of a joint may vanish where it is closed
+            let least = match own {
+                Some(true) => graph.one(),
+                Some(false) => short,
+                None => nothing,
+            };
+            let size = graph.add(size, least);
             let size = graph.quantity(size);
-            for (all, own) in [(&mut place, values), (&mut rate, fast)] {
-                let sum = graph.sum(&own);
-                all.push(graph.divide(sum, size));
-            }
+            place.push(graph.divide(values, size));
+            rate.push(graph.divide(fast, size));
         }
         let mut whole = |all: &[Id]| {
             let sum = graph.sum(all);
@@ -73,14 +91,14 @@ impl Closeness {
 }
 
 /// One; or NaN if the squared part that the rows are `lacking` is more than their `terms` allow.
-/// `divisor` is positive.
+/// `size` is not negative. It vanishes, or is only rounding, if the rows do where they hold.
 pub fn guard(
     graph: &mut Graph,
     (lacking, terms): (Id, Id),
     (rows, closeness): (&[&ConstraintRow], &Closeness),
-    divisor: Id,
+    size: Id,
 ) -> Option<Id> {
-    if graph.as_number(divisor).is_some() {
+    if graph.as_number(size).is_some() {
         return None;
     }
     let number = |graph: &mut Graph, value: f64| graph.number(Number::from_f64(value));
@@ -101,6 +119,9 @@ pub fn guard(
     allowed.push(graph.multiply(reach, fast));
     allowed.push(number(graph, NOTHING * NOTHING));
     let allowed = graph.sum(&allowed);
+    // any positive divisor will do; a rounding error would have no derivatives
+    let one = graph.one();
+    let divisor = graph.add(one, size);
     // a pivot must exceed eight rounding errors of its size
     let eighth = number(graph, 0.125 / f64::EPSILON);
     let beside = graph.divide(lacking, allowed);

@@ -92,11 +92,11 @@ fn two_bodies_swing_as_one() {
 /// A pendulum on another one. What joins them is a frame without mass, whose motion the lower one
 /// would undo, if it were not held to the upper one; or nothing.
 macro_rules! double {
-    ($name:ident [$($frame:ident)?] $($joint:ident = $kind:expr),+) => {
+    ($name:ident [$($frame:ident),*] $($joint:ident = $kind:expr),+) => {
         rigid_system!($name {
             bodies: [
                 upper { mass: 1[kg], inertia: sphere(0.1), points: [o = (1, 0, 0), _h = (0, 0.2, 0.1)] },
-                $($frame { mass: 0[kg], points: [_h = (0, 0.2, 0.1)] },)?
+                $($frame { mass: 0[kg], points: [_h = (0, 0.2, 0.1)] },)*
                 lower { mass: 2[kg], inertia: sphere(0.3), points: [o = (0, 0, 0.7)] },
             ],
             joints: [swing = revolute(world(0, 0, 0), upper.o, world(0, 1, 0)), $($joint = $kind),+],
@@ -114,6 +114,20 @@ double!(FramedBall [frame]
     first = spherical(upper.G, frame.G),
     hung = spherical(frame.G, lower.o),
     second = weld(upper._h, frame._h)
+);
+// in most other states, but not where it is closed, the rows of the points alone would hold the frame
+double!(Corner [frame]
+    first = planar(upper.G, frame.G, body(1, 0, 0)),
+    hung = spherical(frame.G, lower.o),
+    second = planar(upper._h, frame._h, body(0, 1, 0)),
+    third = planar(upper._h, frame._h, body(0, 0, 1))
+);
+double!(TwoFrames [frame, beyond]
+    first = spherical(upper.G, frame.G),
+    next = spherical(frame.G, beyond.G),
+    hung = spherical(beyond.G, lower.o),
+    second = weld(upper._h, frame._h),
+    third = weld(upper._h, beyond._h)
 );
 
 /// The same in the plane.
@@ -172,7 +186,8 @@ fn a_frame_that_is_held_twice_is_part_of_what_holds_it() {
             };
         }
         compare!(
-            HingeAndWeld HingeAndWeldState, FramedBall FramedBallState; Direct DirectState;
+            HingeAndWeld HingeAndWeldState, FramedBall FramedBallState, Corner CornerState,
+            TwoFrames TwoFramesState; Direct DirectState;
             Rotation {
                 attitude: UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.7),
                 angular_velocity: [0.3, -0.2, 0.9].into(),

@@ -4,11 +4,12 @@
 
 use std::collections::HashMap;
 
+use crate::mechanics::tree::MassMatrix;
 use crate::model::{System, TreeJoint, Variable, Workspace};
 use crate::symbolic::{Coordinate, Id};
 
 use super::super::constraints::ConstraintRow;
-use super::numbers::{Random, Span, solve};
+use super::numbers::{Random, Span, is_positive, solve};
 
 /// The number of initial states, and the most steps from each.
 const STARTS: u64 = 24;
@@ -47,6 +48,8 @@ pub struct Rank {
     pub anywhere: Option<Vec<bool>>,
     /// In closed states; `None` if none was found.
     pub closed: Option<Vec<bool>>,
+    /// Whether the masses and some of the rows determine the motion in a closed state.
+    pub is_settled: bool,
 }
 
 /// The values of symbols.
@@ -95,8 +98,9 @@ impl<'a> Assembly<'a> {
             .collect()
     }
 
-    /// Which rows depend on others, in almost all states and in closed states.
-    pub fn rank(&self) -> Rank {
+    /// Which rows depend on others, in almost all states and in closed states; `some` selects the
+    /// rows that are to determine the motion, with the masses.
+    pub fn rank(&self, matrix: &MassMatrix, some: impl Fn(&[bool]) -> Vec<usize>) -> Rank {
         // without open coordinates, nothing moves
         if self.rates.is_empty() {
             return Rank::default();
@@ -109,15 +113,50 @@ impl<'a> Assembly<'a> {
             let mut values = self.start(&mut random, start);
             self.close(&mut values)?;
             let moves = self.moves(&values, &mut random)?;
-            Some((moves, self.independent_at(&values)))
+            Some((moves, self.independent_at(&values), values))
         });
         // folded states have fewer independent rows, but the generic closed state is wanted; rows
         // that hold all in place may be those of another assembly, which does not move
-        let closed = closed.max_by_key(|(moves, found)| (*moves, count(found)));
+        let closed = closed.max_by_key(|(moves, found, _)| (*moves, count(found)));
+        let is_settled = |(_, found, values): &(bool, Vec<bool>, Values)| {
+            self.is_settled(values, matrix, &some(found))
+        };
         Rank {
-            closed: closed.map(|(_, found)| found),
+            is_settled: closed.as_ref().is_some_and(is_settled),
+            closed: closed.map(|(_, found, _)| found),
             anywhere,
         }
+    }
+
+    /// Whether M and these rows determine the motion in a state: `M + A^T W A` is positive.
+    fn is_settled(&self, values: &Values, matrix: &MassMatrix, rows: &[usize]) -> bool {
+        let entries: Vec<Id> = matrix.rows.concat();
+        let count = self.rates.len();
+        let entries = self.evaluate(&entries, values);
+        let mut all: Vec<Vec<f64>> = entries.chunks(count).map(<[f64]>::to_vec).collect();
+        let slopes = self.rounded_slopes(values);
+        let sizes: Vec<f64> = (0..count)
+            .map(|own| all[own][own].max(f64::MIN_POSITIVE).sqrt())
+            .collect();
+        for (row, masses) in all.iter_mut().enumerate() {
+            for (entry, column) in masses.iter_mut().zip(&sizes) {
+                *entry /= sizes[row] * column;
+            }
+        }
+        for row in rows {
+            let row: Vec<f64> = slopes[*row]
+                .iter()
+                .zip(&sizes)
+                .map(|(slope, size)| slope / size)
+                .collect();
+            let weight = 1.0 / squares(&row);
+            for (own, slope) in row.iter().enumerate() {
+                for (other, factor) in row.iter().enumerate() {
+                    all[own][other] += weight * slope * factor;
+                }
+            }
+        }
+        is_positive(all)
     }
 
     fn start(&self, random: &mut Random, number: u64) -> Values {
@@ -125,6 +164,12 @@ impl<'a> Assembly<'a> {
         let mut values = self.defaults.clone();
         for coordinate in self.coordinates {
             values.insert(coordinate.symbol, scale * random.number());
+        }
+        // bodies are often described as assembled
+        if scale < 1.0 {
+            for [real, ..] in &self.attitudes {
+                values.entry(*real).and_modify(|part| *part += 1.0);
+            }
         }
         self.normalize(&mut values);
         values

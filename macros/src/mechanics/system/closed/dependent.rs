@@ -46,6 +46,16 @@ impl Group {
     fn rank(&self) -> usize {
         self.is_independent.iter().filter(|is_new| **is_new).count()
     }
+
+    fn is_full(&self) -> bool {
+        self.rank() == self.rows.len()
+    }
+}
+
+/// The rows of the groups all of whose rows are independent.
+pub fn full(groups: &[Group]) -> Vec<usize> {
+    let full = groups.iter().filter(|group| group.is_full());
+    full.flat_map(|group| group.rows.clone()).collect()
 }
 
 /// The groups of rows; `independent` marks the rows that are independent of those before them.
@@ -92,17 +102,19 @@ struct Left {
 }
 
 /// Solves for accelerations and loads, if no loads depend on these. `None` if this is not needed or
-/// not possible.
+/// not possible. Where the motion `is_settled`, masses and the rows that are always independent
+/// determine it in closed states, if they do in others.
 pub fn dependent(
     work: &mut Workspace,
-    matrix: &MassMatrix,
+    (matrix, is_settled): (&MassMatrix, bool),
     kept: &[(Owner, ConstraintRow)],
     groups: &[Group],
     (rates, is_turning): (&[Id], &[bool]),
 ) -> Option<Found> {
     let count = matrix.driving.len();
     let closeness = Closeness::of(&mut work.graph, kept, rates, is_turning);
-    let left = left(work, matrix, kept, groups).or_else(|| {
+    let plain = is_settled.then(|| left(work, matrix, kept, groups));
+    let left = plain.flatten().or_else(|| {
         let held = held(&mut work.graph, matrix, kept, groups);
         left(work, &held, kept, groups)
     })?;
@@ -207,11 +219,9 @@ fn left(
     groups: &[Group],
 ) -> Option<Left> {
     let count = matrix.driving.len();
-    let (full, groups): (Vec<Group>, Vec<Group>) = groups
-        .iter()
-        .cloned()
-        .partition(|group| group.rank() == group.rows.len());
-    let full: Vec<usize> = full.into_iter().flat_map(|group| group.rows).collect();
+    let full = full(groups);
+    let groups = groups.iter().filter(|group| !group.is_full());
+    let groups: Vec<Group> = groups.cloned().collect();
     let rows: Vec<&ConstraintRow> = full.iter().map(|row| &kept[*row].1).collect();
     let following = Following {
         loads: &vec![None; rows.len()],

@@ -4,6 +4,9 @@
 /// them.
 const DEPENDENT: f64 = 1e-6;
 
+/// A matrix whose diagonal entries are one or more is singular if no more than this is left of one.
+const SINGULAR: f64 = 1e-10;
+
 /// Pseudorandom numbers.
 pub struct Random(u64);
 
@@ -94,4 +97,21 @@ pub fn solve(rows: &[Vec<f64>], errors: &[f64], damping: f64) -> Vec<f64> {
         values[own] = (row[count] - known) / row[own];
     }
     values
+}
+
+/// Whether a symmetric matrix without negative eigenvalues is positive, beyond rounding.
+pub fn is_positive(mut matrix: Vec<Vec<f64>>) -> bool {
+    for pivot in 0..matrix.len() {
+        let known = matrix[pivot].clone();
+        if known[pivot] <= SINGULAR {
+            return false;
+        }
+        for row in matrix.iter_mut().skip(pivot + 1) {
+            let factor = row[pivot] / known[pivot];
+            for (entry, part) in row.iter_mut().zip(&known) {
+                *entry -= factor * part;
+            }
+        }
+    }
+    true
 }

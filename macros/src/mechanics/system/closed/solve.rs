@@ -11,7 +11,7 @@ use crate::symbolic::{Components, Graph, Id};
 
 use super::super::constraints::{ConstraintRow, Ends, Placed, push_written};
 use super::assembly::{Assembly, Coordinates, Rank};
-use super::dependent::{dependent, groups};
+use super::dependent::{dependent, full, groups};
 use super::eliminated::{Following, Found, eliminated};
 use super::in_plane::in_plane;
 use super::rows::{Known, Owner};
@@ -115,7 +115,7 @@ fn found(
     (known, coordinates): (&Known<'_>, &Coordinates),
     (matrix, accelerations): (&MassMatrix, &[Id]),
 ) -> Found {
-    let rank = rank(system, work, known, coordinates);
+    let rank = rank(system, work, (known, coordinates), matrix);
     if let Some(found) = where_closed(work, (known, coordinates), matrix, &rank) {
         return found;
     }
@@ -147,12 +147,20 @@ fn found(
 }
 
 /// Which rows depend on others. Nothing is known if loads depend on those of constraints.
-fn rank(system: &System, work: &Workspace, known: &Known<'_>, coordinates: &Coordinates) -> Rank {
+fn rank(
+    system: &System,
+    work: &Workspace,
+    (known, coordinates): (&Known<'_>, &Coordinates),
+    matrix: &MassMatrix,
+) -> Rank {
     if known.is_followed(work, &known.in_world) {
         return Rank::default();
     }
     let rows = known.kept.iter().map(|(_, row)| row).collect();
-    Assembly::new(system, work, coordinates, rows).rank()
+    let assembly = Assembly::new(system, work, coordinates, rows);
+    assembly.rank(matrix, |closed| {
+        full(&groups(&work.graph, &known.kept, closed))
+    })
 }
 
 /// The solution with rows that depend on each other in closed states. `None` if there are no such
@@ -183,7 +191,7 @@ fn where_closed(
     let groups = groups(&work.graph, &known.kept, closed);
     dependent(
         work,
-        matrix,
+        (matrix, rank.is_settled),
         &known.kept,
         &groups,
         (&coordinates.rates, &is_turning),

@@ -14,6 +14,7 @@ use newton_euler::{columns::Columns, integrate, prelude::*};
 
 mod bodies;
 mod changing;
+mod errors;
 mod integration;
 mod settings;
 mod sines;

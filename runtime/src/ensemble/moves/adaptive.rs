@@ -6,9 +6,9 @@ use core::ops::Range;
 use core::sync::atomic::{AtomicBool, Ordering};
 
 use super::lane::{Lane, Progress};
-use super::members::{Done, MemberError, put};
+use super::members::{Done, MemberError};
 use super::motions::Motions;
-use super::one_by_one::end_alone;
+use super::one_by_one::moved_alone;
 use super::register::InRegister;
 use super::samples::sample;
 use super::seats::Seats;
@@ -106,15 +106,8 @@ where
         sample::<A::Pair, _, _>(width, &plan, rows, tracks);
         done.add(here.len());
     });
-    let is_left = |index: usize| left[index].load(Ordering::Relaxed);
-    if !(0..count).any(is_left) {
-        return Vec::new();
-    }
-    let ends = motions.each(count, |index, motion| {
-        let end = || end_alone(ensemble, method, (index, motion), times, limits);
-        is_left(index).then(|| (index, end()))
-    });
-    put(&mut ensemble.states, ends.into_iter().flatten())
+    let left: Vec<bool> = left.into_iter().map(AtomicBool::into_inner).collect();
+    moved_alone(method, ensemble, motions, &left, (times, limits))
 }
 
 /// The run of one member.

@@ -5,26 +5,24 @@ use core::ops::Range;
 
 use super::members::{Done, MemberError};
 use super::motions::Motions;
-use super::one_by_one::OneByOne;
+use super::one_by_one::{OneByOne, moved_alone};
 use super::register_steps::{Apart, Ways};
 use super::samples::sample;
 use super::{Moves, RunOf};
 use crate::bodies::body::RigidBody;
 use crate::bodies::columns::{Columns, Generic};
+use crate::ensemble::Ensemble;
 use crate::ensemble::blocks::{BLOCK, Blocks, Eight, GroupMut};
 use crate::ensemble::evaluate::{in_chunks_with, read};
 use crate::ensemble::plan::{Limits, Plan};
-use crate::ensemble::{Ensemble, Members};
-use crate::integrate::{
-    Equations, Fixed, FixedRun, IntegrationError, RungeKutta, Stretch, Underway, add,
-};
+use crate::integrate::{Equations, Fixed, FixedRun, RungeKutta, Underway, add};
 use crate::numbers::count::real;
 use crate::numbers::lanes::{Lanes, Register, Width, Work};
 use crate::state::Coordinates;
 
 /// In lanes: each member moves as it would alone, to the bit. Bodies whose mass or inertia changes
-/// move one by one, because each step checks these. If a motion becomes non-finite, the
-/// error contains the state at the start, at the last sample or at the last change of inputs.
+/// move one by one, because each step checks these. A member that fails in lanes is moved again
+/// alone, for its error: the steps do not look for it.
 impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
     type Alone = Self;
 
@@ -44,39 +42,31 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
         if B::CHANGES {
             return OneByOne(*self).moved(ensemble, motions, times, limits, observer);
         }
-        let (time, end) = (times.start, times.end);
-        let before = ensemble.states.clone();
-        let failed = |members: &Members<B>, index: usize| {
-            let (body, input) = (members.body(index), members.inputs.get(index));
-            let from = (time, limits.forwards, 0);
-            let stretch = Stretch::of(&body, &input, from, limits.breaks.iter());
-            let error = match stretch.check(&(time..limits.end)) {
-                Ok(()) => IntegrationError::lost(time, before.get(index)),
-                Err(invalid) => IntegrationError::refused(invalid, time, before.get(index)),
-            };
-            let error = error.named(&body, &input, limits.forwards);
-            MemberError { index, error }
-        };
-        let is_there = end - time == 0.0;
-        if before.is_empty() || is_there {
+        let is_there = times.end - times.start == 0.0;
+        if ensemble.is_empty() || is_there {
             return Vec::new();
         }
+        let before = ensemble.states.clone();
         let done = Done::of(before.len(), observer);
         let plan = Plan {
             method: *self,
             members: &ensemble.members,
             first: 0,
-            times,
+            times: times.clone(),
             limits,
         };
-        let motions = motions.as_mut_slice();
-        in_lanes(&plan, motions, ensemble.width, &mut ensemble.states, &done);
-        let lost = ensemble.states.lost();
-        for index in &lost {
-            ensemble.states.set(*index, &before.get(*index));
+        let kept = motions.as_mut_slice();
+        in_lanes(&plan, kept, ensemble.width, &mut ensemble.states, &done);
+        let mut left = alloc::vec![false; before.len()];
+        // what is kept stays where it was, if it does not reach the end
+        for (motion, is_left) in kept.iter().zip(&mut left) {
+            *is_left = !motion.is_lost && limits.is_before(motion.run.track.now.time, times.end);
         }
-        let lost = lost.into_iter();
-        lost.map(|index| failed(&ensemble.members, index)).collect()
+        for index in ensemble.states.lost() {
+            left[index] |= kept.is_empty();
+            ensemble.states.set(index, &before.get(index));
+        }
+        moved_alone(*self, ensemble, motions, &left, (&times, limits))
     }
 }
 

@@ -40,8 +40,27 @@ impl<B: Generic, M: Method<B>> Moves<B> for OneByOne<M> {
     }
 }
 
+/// Moves the members that are left by their lanes, each alone, from where it was before; returns
+/// those that do not reach the end.
+pub(super) fn moved_alone<B: Generic, M: Method<B>>(
+    method: M,
+    ensemble: &mut Ensemble<B>,
+    motions: &mut Motions<M::Run>,
+    left: &[bool],
+    (times, limits): (&Range<f64>, &Limits),
+) -> Vec<MemberError<B::State>> {
+    if left.iter().all(|is_left| !is_left) {
+        return Vec::new();
+    }
+    let ends = motions.each(left.len(), |index, motion| {
+        let end = || end_alone(ensemble, method, (index, motion), times, limits);
+        left[index].then(|| (index, end()))
+    });
+    put(&mut ensemble.states, ends.into_iter().flatten())
+}
+
 /// The end of a member that moves alone: from the start, or from where its motion is.
-pub(super) fn end_alone<B: Generic, M: Method<B>>(
+fn end_alone<B: Generic, M: Method<B>>(
     ensemble: &Ensemble<B>,
     method: M,
     (index, motion): (usize, Option<&mut Underway<M::Run>>),

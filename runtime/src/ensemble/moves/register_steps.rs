@@ -137,7 +137,8 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
         }
     }
 
-    /// The state of the members at the end. Their motions are kept, if there are any.
+    /// The state of the members at the end. Their motions are kept, if there are any, except those
+    /// that are not finite: these stay where they were.
     #[cfg_attr(not(unoptimized), inline(always))]
     pub(super) fn moved<B, L, S>(
         mut self,
@@ -199,7 +200,14 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
             }
             self.stepped(member);
         }
+        let zero = Lanes::splat(simd, 0.0);
+        let numbers = coordinates.as_ref().iter();
+        let zeros = numbers.fold(zero, |sum, number| sum + zero * *number);
         for (lane, motion) in motions.iter_mut().enumerate().take(self.count) {
+            // zero, or NaN
+            if zeros.lane(lane) != 0.0 {
+                continue;
+            }
             let way = self.of(lane);
             way.keep(motion);
             let Track {

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 use core::marker::PhantomData;
 
 use crate::bodies::columns::{Columns, Generic};
-use crate::ensemble::blocks::{BLOCK, Eight, GroupMut, zeros};
+use crate::ensemble::blocks::{BLOCK, Eight, GroupMut};
 use crate::ensemble::evaluate::Laned;
 use crate::ensemble::plan::Plan;
 use crate::integrate::{RungeKutta, Track, Within, runge_kutta_step};
@@ -12,7 +12,7 @@ use crate::numbers::lanes::{Lanes, Register, Width, Work};
 use crate::state::Coordinates;
 
 /// Sets the states of members whose last steps by a Runge–Kutta method end beyond the time up to which
-/// they move. The states at these ends are given; those that are not finite remain.
+/// they move.
 pub(super) fn sample<'e, M: RungeKutta, A, B: Generic>(
     width: Width,
     plan: &Plan<'_, A, B>,
@@ -81,14 +81,11 @@ impl<M: RungeKutta, A, B: Generic> Work for Samples<'_, M, A, B> {
                         index: group,
                     },
                 );
-                let zeros = zeros(rows);
                 let lanes = tracks.iter().enumerate();
                 for (lane, _) in lanes.filter(|(_, track)| is_beyond(track)) {
                     let lane = Lanes::<S>::COUNT * group + lane;
-                    if zeros[lane] == 0.0 {
-                        for (row, sampled) in rows.iter_mut().zip(&sampled) {
-                            row[lane] = sampled[lane];
-                        }
+                    for (row, sampled) in rows.iter_mut().zip(&sampled) {
+                        row[lane] = sampled[lane];
                     }
                 }
             }

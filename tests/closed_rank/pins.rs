@@ -236,7 +236,7 @@ fn two_bodies_fly_as_one_in_all_attitudes() {
         let axis = Vector3::new(angle.sin(), angle.cos(), (2.0 * angle).sin());
         let flight = Spatial {
             attitude: UnitQuaternion::from_scaled_axis(axis * angle),
-            angular_velocity: (axis * 0.7).into(),
+            angular_velocity: axis * 0.7,
             ..Spatial::default()
         };
         let state = OffsetState {

@@ -210,12 +210,12 @@ macro_rules! flying {
                 base {
                     mass: 2[kg],
                     inertia: principal(0.3, 0.4, 0.5)[kg * m ^ 2],
-                    points: [h = (0.3, 0.1, 0), _l = (0.3, 0.4, 0)]
+                    points: [h = (0.3, 0.1, 0), _k = (0.3, 0.1, 0.4), _l = (0.3, 0.4, 0)]
                 },
                 arm {
                     mass: 1[kg],
                     inertia: principal(0.1, 0.15, 0.2)[kg * m ^ 2],
-                    points: [h = (-0.4, 0, 0.1), _l = (-0.4, 0.3, 0.1)]
+                    points: [h = (-0.4, 0, 0.1), _k = (-0.4, 0, 0.5), _l = (-0.4, 0.3, 0.1)]
                 },
             ],
             joints: [flight = free(base), $($joint = $kind),+],
@@ -226,6 +226,11 @@ flying!(Rigid first = weld(base.h, arm.h));
 flying!(Offset
     first = revolute(base.h, arm.h, body(0, 0, 1)),
     second = revolute(base._l, arm._l, body(0, 0, 1))
+);
+flying!(OneHinge first = revolute(base.h, arm.h, body(0, 0, 1)));
+flying!(TwoHinges
+    first = revolute(base.h, arm.h, body(0, 0, 1)),
+    second = revolute(base._k, arm._k, body(0, 0, 1))
 );
 
 // slopes of the directions of the axes are zero, or as small as rounding makes them
@@ -247,6 +252,16 @@ fn two_bodies_fly_as_one_in_all_attitudes() {
         let found = Offset::default().acceleration(0.0, &state, &()).flight;
         let expected = Rigid::default().acceleration(0.0, &RigidState { flight }, &());
         let error = (found.angular - expected.flight.angular).norm();
+        assert!(error < 1e-12, "{number}: {found:?}, {expected:?}");
+        // all slopes of a second hinge on the same axis are rounding
+        let first = Hinge {
+            angle,
+            angular_velocity: 1.3,
+        };
+        let (one, two) = (OneHinge::default(), TwoHinges::default());
+        let expected = one.acceleration(0.0, &OneHingeState { flight, first }, &());
+        let found = two.acceleration(0.0, &TwoHingesState { flight, first }, &());
+        let error = (found.first - expected.first).abs();
         assert!(error < 1e-12, "{number}: {found:?}, {expected:?}");
     }
 }

@@ -16,7 +16,7 @@ const STARTS: u64 = 24;
 const STEPS: usize = 60;
 /// The initial states that show the size of slopes.
 const GENERIC: u64 = 4;
-/// A slope is nothing if it is less than this fraction of its size.
+/// A slope is nothing if it is less than this fraction of its terms.
 const NOTHING: f64 = 1e-9;
 /// How far a closed state is displaced to see whether it can move.
 const MOVED: f64 = 0.05;
@@ -37,8 +37,9 @@ pub struct Assembly<'a> {
     coordinates: &'a [Coordinate],
     attitudes: Vec<[Id; 4]>,
     defaults: HashMap<Id, f64>,
-    /// The largest value of each slope in a few states.
+    /// The largest value of each slope in a few states, and the largest of its terms.
     sizes: Vec<Vec<f64>>,
+    terms: Vec<Vec<f64>>,
 }
 
 /// For each row, whether it is independent of the rows before it.
@@ -60,7 +61,7 @@ impl<'a> Assembly<'a> {
         system: &System,
         work: &'a Workspace,
         coordinates: &'a Coordinates,
-        rows: Vec<&'a ConstraintRow>,
+        (rows, terms): (Vec<&'a ConstraintRow>, &[Id]),
     ) -> Self {
         let open = system.joints.iter().filter(|joint| !joint.is_driven());
         let attitude = |joint: &TreeJoint| {
@@ -70,8 +71,10 @@ impl<'a> Assembly<'a> {
         let defaults = system.defaults.iter();
         let defaults = defaults
             .filter_map(|(symbol, value)| Some((*symbol, work.graph.as_number(*value)?.to_f64())));
+        let nothing = vec![vec![0.0; coordinates.rates.len()]; rows.len()];
         let mut assembly = Self {
-            sizes: vec![vec![0.0; coordinates.rates.len()]; rows.len()],
+            sizes: nothing.clone(),
+            terms: nothing,
             rows,
             rates: &coordinates.rates,
             coordinates: &coordinates.places,
@@ -79,12 +82,19 @@ impl<'a> Assembly<'a> {
             defaults: defaults.collect(),
             work,
         };
-        for values in assembly.generic() {
-            let slopes = assembly.slopes(&values);
-            for (sizes, slopes) in assembly.sizes.iter_mut().zip(slopes) {
-                for (size, slope) in sizes.iter_mut().zip(slopes) {
-                    *size = size.max(slope.abs());
-                }
+        let generic = assembly.generic();
+        for values in &generic {
+            let found = assembly.evaluate(terms, values);
+            let sizes = assembly.terms.iter_mut().flatten();
+            for (size, term) in sizes.zip(found) {
+                *size = size.max(term.abs());
+            }
+        }
+        for values in &generic {
+            let slopes = assembly.rounded_slopes(values);
+            let sizes = assembly.sizes.iter_mut().flatten();
+            for (size, slope) in sizes.zip(slopes.iter().flatten()) {
+                *size = size.max(slope.abs());
             }
         }
         assembly
@@ -210,7 +220,7 @@ impl<'a> Assembly<'a> {
     fn rounded_slopes(&self, values: &Values) -> Vec<Vec<f64>> {
         let mut slopes = self.slopes(values);
         let own = slopes.iter_mut().flatten();
-        for (slope, size) in own.zip(self.sizes.iter().flatten()) {
+        for (slope, size) in own.zip(self.terms.iter().flatten()) {
             if slope.abs() < NOTHING * size {
                 *slope = 0.0;
             }

@@ -149,15 +149,19 @@ fn found(
 /// Which rows depend on others. Nothing is known if loads depend on those of constraints.
 fn rank(
     system: &System,
-    work: &Workspace,
+    work: &mut Workspace,
     (known, coordinates): (&Known<'_>, &Coordinates),
     matrix: &MassMatrix,
 ) -> Rank {
     if known.is_followed(work, &known.in_world) {
         return Rank::default();
     }
-    let rows = known.kept.iter().map(|(_, row)| row).collect();
-    let assembly = Assembly::new(system, work, coordinates, rows);
+    let rows: Vec<&ConstraintRow> = known.kept.iter().map(|(_, row)| row).collect();
+    let slopes = rows.iter().flat_map(|row| &row.slopes);
+    let slopes: Vec<Id> = slopes.copied().collect();
+    let terms = work.graph.magnitudes(&slopes);
+    let work = &*work;
+    let assembly = Assembly::new(system, work, coordinates, (rows, &terms));
     assembly.rank(matrix, |closed| {
         full(&groups(&work.graph, &known.kept, closed))
     })

@@ -293,3 +293,61 @@ fn a_sledge_on_rails_starts_at_the_origin() {
     let found = Rails::default().acceleration(0.0, &RailsState::default(), &());
     assert!((found.second - 1.5).abs() < 1e-12, "{found:?}");
 }
+
+// a parallelogram in space: the directions of its axes need no acceleration, which rounding hides
+rigid_system!(Parallelogram {
+    bodies: [
+        base {
+            mass: 5[kg],
+            inertia: sphere(1),
+            points: [o = (0, 0, 0), p = (1, 0, 0)]
+        },
+        left {
+            mass: 1[kg],
+            inertia: sphere(0.1),
+            points: [o = (-0.5, 0, 0), e = (0.5, 0, 0)]
+        },
+        right {
+            mass: 1[kg],
+            inertia: sphere(0.1),
+            points: [o = (-0.5, 0, 0), e = (0.5, 0, 0)]
+        },
+        bar {
+            mass: 1[kg],
+            inertia: sphere(0.1),
+            points: [p = (1, 0, 0)]
+        },
+    ],
+    joints: [
+        flight = free(base),
+        a = revolute(base.o, left.o, body(0, 0, 1)),
+        b = revolute(left.e, bar.G, body(0, 0, 1)),
+        c = revolute(bar.p, right.e, body(0, 0, 1)),
+        d = revolute(base.p, right.o, body(0, 0, 1)),
+    ],
+});
+
+#[test]
+fn a_parallelogram_moves_on_a_base_at_rest() {
+    for number in 1..100 {
+        let angle = 0.03 * f64::from(number);
+        let axis = Vector3::new(angle.sin(), angle.cos(), 0.5);
+        let hinge = |sign: f64| Hinge {
+            angle: sign * angle,
+            angular_velocity: sign * 0.7,
+        };
+        let mut state = ParallelogramState {
+            flight: Spatial {
+                attitude: UnitQuaternion::from_scaled_axis(axis * angle),
+                ..Spatial::default()
+            },
+            a: hinge(1.0),
+            b: hinge(-1.0),
+            c: hinge(1.0),
+        };
+        let body = Parallelogram::default();
+        body.project(0.0, &mut state, &()).unwrap();
+        let found = body.acceleration(0.0, &state, &());
+        assert!((found.a - found.c).abs() < 1e-12, "{number}: {found:?}");
+    }
+}

@@ -341,9 +341,7 @@ fn guard_of(
             let parts = parts.chain(left.matrix[own].iter().zip(loads));
             let mut parts: Vec<Id> = parts.map(|(a, b)| graph.multiply(*a, *b)).collect();
             // bodies that move together leave only rounding errors of what they have in common
-            let bias = graph.unnamed(row.bias);
-            let bias = graph.terms(bias).into_iter();
-            parts.extend(bias.map(|(_, term)| term));
+            parts.extend(graph.magnitudes(&[row.bias]));
             sizes.extend(parts.into_iter().map(|part| graph.square(part)));
             rows.push(row);
         }

@@ -15,12 +15,14 @@ use crate::bodies::columns::Generic;
 #[cfg(feature = "progress")]
 use crate::integrate::Bar;
 use crate::integrate::{
-    Instants, IntegrationError, InvalidSetting, Sample, Sampled, Setting, check, check_state,
+    Closed, Instants, IntegrationError, InvalidSetting, Sample, Sampled, Setting, check,
+    check_state,
 };
 
 /// The inputs of the members over time: [`AsGiven`], or a function called at equal intervals, by
-/// [`EnsembleIntegration::control`](super::EnsembleIntegration::control).
-pub trait EnsembleControl<B: Generic> {
+/// [`EnsembleIntegration::control`](super::EnsembleIntegration::control). Other types cannot implement
+/// it, as for one body ([`Control`](crate::integrate::Control)).
+pub trait EnsembleControl<B: Generic>: Closed {
     /// Sets the inputs of members in these states, which act from a time \[s\] on, and returns the
     /// time until which they are held: towards `end`, or beyond.
     fn set(
@@ -40,6 +42,8 @@ pub trait EnsembleControl<B: Generic> {
 /// The current inputs of the members.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AsGiven;
+
+impl Closed for AsGiven {}
 
 impl<B: Generic> EnsembleControl<B> for AsGiven {
     fn set(

@@ -55,6 +55,7 @@ pub use steps::stretch::next_switch;
 
 #[cfg(feature = "ensemble")]
 pub(crate) use {
+    course::control::Closed,
     course::instants::Instants,
     course::integration::TOLERANCE,
     course::pace::Pace,

@@ -42,8 +42,8 @@ impl<S: 'static> core::error::Error for MemberError<S> {
 /// The error of an integration of all members.
 #[derive(Clone, Copy, PartialEq)]
 pub enum EnsembleError<S> {
-    /// A setting that concerns all members is impossible. None has moved, unless an
-    /// [`EnsembleControl`](crate::ensemble::EnsembleControl) gave no time ahead.
+    /// A setting that concerns all members is impossible. None has moved, unless the period of
+    /// a controller is lost in the rounding of a later time.
     Setting(InvalidSetting),
     /// A member does not reach the end.
     Member(MemberError<S>),

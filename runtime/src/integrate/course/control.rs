@@ -2,11 +2,27 @@
 
 use crate::numbers::count::real;
 
-/// Inputs over time.
+/// Only types of this crate are controls: an integration takes inputs as its methods say, and these
+/// create the types.
 ///
+/// ```compile_fail,E0277
+/// use newton_euler::integrate::Control;
+///
+/// struct Mine;
+///
+/// impl Control<f64, ()> for Mine {
+///     fn input(&mut self, _: f64, _: &f64, end: f64) -> ((), f64) {
+///         ((), end)
+///     }
+/// }
+/// ```
+pub trait Closed {}
+
+/// Inputs over time, of two kinds:
 /// [`Integration::input`](crate::integrate::Integration::input) and
-/// [`Integration::control`](crate::integrate::Integration::control) create the two kinds.
-pub trait Control<S, I> {
+/// [`Integration::control`](crate::integrate::Integration::control) create them. Other types cannot
+/// implement it: a program with inputs of its own gives them as a function, to `control`.
+pub trait Control<S, I>: Closed {
     /// The input from a time \[s\] and state on, and the time until which it is held: towards
     /// `end`, or beyond.
     fn input(&mut self, time: f64, state: &S, end: f64) -> (I, f64);
@@ -20,6 +36,8 @@ pub trait Control<S, I> {
 /// One input, held from the start to the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Held<I>(pub I);
+
+impl<I> Closed for Held<I> {}
 
 impl<S, I: Default> Control<S, I> for Held<I> {
     fn input(&mut self, time: f64, _state: &S, end: f64) -> (I, f64) {
@@ -63,6 +81,8 @@ impl<F> Sampled<F> {
         (&mut self.function, until)
     }
 }
+
+impl<F> Closed for Sampled<F> {}
 
 impl<S, I, F: FnMut(f64, &S) -> I> Control<S, I> for Sampled<F> {
     fn input(&mut self, time: f64, state: &S, end: f64) -> (I, f64) {

@@ -131,16 +131,11 @@ impl<C: Columns<f64>> Blocks<C> {
         &mut self.rows
     }
 
-    /// The indices of the values with an infinite number or NaN, in order.
-    pub(super) fn lost(&self) -> Vec<usize> {
-        let mut lost = Vec::new();
-        for (block, rows) in self.rows.chunks(C::COUNT.max(1)).enumerate() {
-            let zeros = zeros(rows);
-            let lanes = (0..BLOCK).filter(|lane| zeros[*lane] != 0.0);
-            let indices = lanes.map(|lane| BLOCK * block + lane);
-            lost.extend(indices.filter(|index| *index < self.len));
-        }
-        lost
+    /// Whether each value has an infinite number or NaN.
+    pub(super) fn lost(&self) -> Vec<bool> {
+        let blocks = self.rows.chunks(C::COUNT.max(1));
+        let lost = blocks.flat_map(|rows| zeros(rows).map(|zero| zero != 0.0));
+        lost.take(self.len).collect()
     }
 
     fn check(&self, index: usize) {
@@ -223,10 +218,8 @@ impl<C: Columns<f64>> FromIterator<C> for Blocks<C> {
     }
 }
 
-/// The rows of a block.
-#[cfg_attr(not(unoptimized), inline(always))]
 /// For each lane zero, or NaN if one of its numbers is infinite or NaN.
-pub(super) fn zeros(rows: &[Eight]) -> Eight {
+fn zeros(rows: &[Eight]) -> Eight {
     rows.iter().fold([0.0; BLOCK], |mut sums, row| {
         for (sum, number) in sums.iter_mut().zip(row) {
             *sum += 0.0 * number;
@@ -235,6 +228,8 @@ pub(super) fn zeros(rows: &[Eight]) -> Eight {
     })
 }
 
+/// The rows of a block.
+#[cfg_attr(not(unoptimized), inline(always))]
 pub(super) fn range<C: Columns<f64>>(block: usize) -> Range<usize> {
     C::COUNT * block..C::COUNT * (block + 1)
 }

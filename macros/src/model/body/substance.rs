@@ -20,8 +20,8 @@ impl Substance {
         self.inertia.distinct_entries()
     }
 
-    /// What a body that swings about a point has about it: its moment about the axis, if there is
-    /// one. `None` for a body that does not swing, whose inertia about G says enough.
+    /// The inertia of a body that swings, about the point that holds it: the moment about the axis,
+    /// if there is one. `None` for a body that does not swing: its inertia about G is enough.
     pub fn held(
         &self,
         graph: &mut Graph,

@@ -57,13 +57,16 @@ impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
         };
         let kept = motions.as_mut_slice();
         in_lanes(&plan, kept, ensemble.width, &mut ensemble.states, &done);
-        let mut left = alloc::vec![false; before.len()];
-        // what is kept stays where it was, if it does not reach the end
-        for (motion, is_left) in kept.iter().zip(&mut left) {
-            *is_left = !motion.is_lost && limits.is_before(motion.run.track.now.time, times.end);
-        }
-        for index in ensemble.states.lost() {
-            left[index] |= kept.is_empty();
+        let left = if kept.is_empty() {
+            ensemble.states.lost()
+        } else {
+            // a motion that does not reach the end stays where it was
+            let is_left = |motion: &Underway<RunOf<Self, B>>| {
+                !motion.is_lost && limits.is_before(motion.run.track.now.time, times.end)
+            };
+            kept.iter().map(is_left).collect()
+        };
+        for (index, _) in left.iter().enumerate().filter(|(_, is_left)| **is_left) {
             ensemble.states.set(index, &before.get(index));
         }
         moved_alone(*self, ensemble, motions, &left, (&times, limits))

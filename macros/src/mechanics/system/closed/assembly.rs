@@ -37,9 +37,10 @@ pub struct Assembly<'a> {
     coordinates: &'a [Coordinate],
     attitudes: Vec<[Id; 4]>,
     defaults: HashMap<Id, f64>,
-    /// The largest value of each slope in a few states, and the largest of its terms.
-    sizes: Vec<Vec<f64>>,
+    /// The largest of the terms of each slope in a few states.
     terms: Vec<Vec<f64>>,
+    /// The number of coordinates that rows hold in these states.
+    held: usize,
 }
 
 /// For each row, whether it is independent of the rows before it.
@@ -71,10 +72,9 @@ impl<'a> Assembly<'a> {
         let defaults = system.defaults.iter();
         let defaults = defaults
             .filter_map(|(symbol, value)| Some((*symbol, work.graph.as_number(*value)?.to_f64())));
-        let nothing = vec![vec![0.0; coordinates.rates.len()]; rows.len()];
         let mut assembly = Self {
-            sizes: nothing.clone(),
-            terms: nothing,
+            terms: vec![vec![0.0; coordinates.rates.len()]; rows.len()],
+            held: 0,
             rows,
             rates: &coordinates.rates,
             coordinates: &coordinates.places,
@@ -90,13 +90,10 @@ impl<'a> Assembly<'a> {
                 *size = size.max(term.abs());
             }
         }
-        for values in &generic {
-            let slopes = assembly.rounded_slopes(values);
-            let sizes = assembly.sizes.iter_mut().flatten();
-            for (size, slope) in sizes.zip(slopes.iter().flatten()) {
-                *size = size.max(slope.abs());
-            }
-        }
+        let slopes = generic.iter().flat_map(|one| assembly.rounded_slopes(one));
+        let slopes: Vec<Vec<f64>> = slopes.collect();
+        let columns = 0..coordinates.rates.len();
+        assembly.held = columns.filter(|own| is_held(&slopes, *own)).count();
         assembly
     }
 
@@ -108,8 +105,8 @@ impl<'a> Assembly<'a> {
             .collect()
     }
 
-    /// Which rows depend on others, in almost all states and in closed states; `some` selects the
-    /// rows that are to determine the motion, with the masses.
+    /// Which rows depend on others, in almost all states and in closed states. Where rows are
+    /// independent, `some` selects those that are to determine the motion, with the masses.
     pub fn rank(&self, matrix: &MassMatrix, some: impl Fn(&[bool]) -> Vec<usize>) -> Rank {
         // without open coordinates, nothing moves
         if self.rates.is_empty() {
@@ -302,12 +299,15 @@ impl<'a> Assembly<'a> {
         for row in &slopes {
             span.take(row.clone());
         }
-        let is_held = |freedom: usize| slopes.iter().any(|row| row[freedom] != 0.0);
-        let way = (0..self.rates.len()).map(|own| if is_held(own) { random.number() } else { 0.0 });
+        let way = (0..self.rates.len()).map(|own| {
+            if is_held(&slopes, own) {
+                random.number()
+            } else {
+                0.0
+            }
+        });
         let Some(way) = span.left(way.collect()) else {
-            let columns = 0..self.rates.len();
-            let held = columns.filter(|own| self.sizes.iter().any(|sizes| sizes[*own] > 0.0));
-            return (span.rank() == held.count()).then_some(false);
+            return (span.rank() == self.held).then_some(false);
         };
         let step: Vec<f64> = way.iter().map(|part| MOVED * part).collect();
         let mut moved = self.moved(values, &step);
@@ -316,6 +316,11 @@ impl<'a> Assembly<'a> {
         let ranks = [values, &moved].map(|values| count(&self.independent_at(values)));
         (back > -0.5 * MOVED && ranks[0] == ranks[1]).then_some(true)
     }
+}
+
+/// Whether any row has a slope along a coordinate.
+fn is_held(slopes: &[Vec<f64>], coordinate: usize) -> bool {
+    slopes.iter().any(|row| row[coordinate] != 0.0)
 }
 
 fn count(found: &[bool]) -> usize {

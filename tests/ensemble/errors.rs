@@ -55,6 +55,13 @@ rigid_body!(Beaten::<T> {
     }],
 });
 
+// the law of the gap has no value for a moment, which a step may pass over
+rigid_body!(Gap::<T> {
+    motion: translation,
+    mass: 1[kg],
+    forces: [gap = world(1[N / s] * ((t - 0.3[s]).powi(2) - 0.01[s ^ 2]).sqrt(), 0, 0)],
+});
+
 /// How a motion ends: the number of its samples, and its last state or its error.
 type Ended<S> = (usize, Result<S, IntegrationError<S>>);
 
@@ -193,6 +200,18 @@ where
     errors
 }
 
+/// The errors by explicit and implicit fixed steps, and with error control.
+fn fail_by_each_method<B>(start: &Ensemble<B>, end: f64) -> [Vec<MemberError<B::State>>; 3]
+where
+    B: Generic<State: PartialEq + Copy + Debug, Input: Clone> + Integrate<Best: Together<B>>,
+{
+    [
+        fail_as_if_alone(start, by(Classical4), end),
+        fail_as_if_alone(start, by(Midpoint), end),
+        fail_as_if_alone(start, Verner { tolerance: 1e-6 }, end),
+    ]
+}
+
 fn by<M>(method: M) -> Fixed<M> {
     Fixed { method, step: 0.05 }
 }
@@ -243,11 +262,7 @@ fn loads_of_moving_inputs_are_named() {
     start.inputs_mut().update(|index, input| {
         input.out_rate = [0.0, 3.5, 0.4, 9.0, 0.6][index];
     });
-    for errors in [
-        fail_as_if_alone(&start, by(Classical4), 1.5),
-        fail_as_if_alone(&start, by(Midpoint), 1.5),
-        fail_as_if_alone(&start, Verner { tolerance: 1e-6 }, 1.5),
-    ] {
+    for errors in fail_by_each_method(&start, 1.5) {
         let named = errors.iter().map(|one| match one.error {
             IntegrationError::NotFinite { load, .. } => (one.index, load),
             other => panic!("{other}"),
@@ -298,11 +313,7 @@ fn periods_are_refused() {
     start.inputs_mut().update(|index, input| {
         input.beats = [3.0, 1e30, 1.0, 0.0, 1e25][index];
     });
-    for errors in [
-        fail_as_if_alone(&start, by(Classical4), 1.5),
-        fail_as_if_alone(&start, by(Midpoint), 1.5),
-        fail_as_if_alone(&start, Verner { tolerance: 1e-6 }, 1.5),
-    ] {
+    for errors in fail_by_each_method(&start, 1.5) {
         let refused = errors.iter().map(|one| match one.error {
             IntegrationError::InvalidSetting { setting, .. } => (one.index, setting),
             other => panic!("{other}"),
@@ -310,4 +321,28 @@ fn periods_are_refused() {
         let period = Setting::PeriodOfCondition;
         assert_eq!(refused.collect::<Vec<_>>(), [(1, period), (4, period)]);
     }
+}
+
+/// A sample within a step may have no value though the step has one: it is the same alone.
+#[test]
+fn samples_without_a_value_are_told() {
+    let method = Fixed {
+        method: Classical4,
+        step: 1.0,
+    };
+    let state = Translation::default();
+    let mut ensemble = Ensemble::new(&Gap::default(), [state; 5]);
+    let samples = ensemble.integrate().method(method).samples(2.0, 0.6);
+    let body = Gap::default();
+    let alone = body.integrate(&state).method(method).samples(2.0, 0.6);
+    let mut without = 0;
+    for (sample, alone) in samples.zip(alone) {
+        let (sample, alone) = (sample.unwrap().state.get(3), alone.unwrap().state);
+        let [sample, alone] = [sample, alone].map(|state| state.velocity.x);
+        // the sign of NaN is not promised
+        let is_same = sample.to_bits() == alone.to_bits() || sample.is_nan() && alone.is_nan();
+        assert!(is_same, "{sample}, {alone}");
+        without += usize::from(alone.is_nan());
+    }
+    assert_eq!(without, 1);
 }

@@ -1,6 +1,7 @@
 //! Linkages whose rows depend on each other only in closed states.
 #![allow(missing_docs)]
 
+mod carried;
 mod change_points;
 mod cranks;
 mod doors;

@@ -125,13 +125,13 @@ fn an_arch_on_three_hinges() {
 #[test]
 fn what_cannot_move_stops() {
     let arch = held::Arch::default();
-    for speed in [0.1, 0.3, 7.0, 1e-200] {
+    for speed in [0.1, 0.3, 7.0, 1e-120, 1e-200] {
         let mut state = held::ArchState::default();
         state.a.angular_velocity = speed;
         state.c.angular_velocity = -0.2 * speed;
         arch.project(0.0, &mut state, &()).unwrap();
         arch.check(0.0, &state, &()).unwrap();
-        assert!(state.a.angular_velocity.abs() < 1e-290);
+        assert!(state.a.angular_velocity.abs() < 1e-138);
         let end = arch.integrate(&state).to(1.0).unwrap();
         assert!((end.a.angle - state.a.angle).abs() < 1e-12);
     }

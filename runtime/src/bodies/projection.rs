@@ -103,9 +103,12 @@ pub fn off(value: f64, cosine: f64) -> f64 {
     if cosine < 0.5 { 1.0 - cosine } else { value }
 }
 
-/// A value as a fraction of its size; zero is zero at any size, and so is what underflows beside it.
+/// Values whose squares underflow, which are part of sizes; with a margin for rounding.
+const NOTHING: f64 = 1e-138;
+
+/// A value as a fraction of its size; zero is zero at any size.
 fn relative(value: f64, size: f64) -> f64 {
-    if value.abs() <= f64::MIN_POSITIVE / f64::EPSILON {
+    if value.abs() <= NOTHING {
         0.0
     } else {
         value.abs() / size
@@ -273,12 +276,12 @@ fn is_rounding<R, const N: usize>(
     values: &[Option<f64>; N],
     sizes: &[f64; N],
 ) -> bool {
-    let coupling = |own: usize| system[own].coupling[own];
+    let natural = natural(system);
     // twice the kinetic energy, or the equivalent for positions, of a motion across one row alone
-    let across = |own: usize| sizes[own] * sizes[own] / coupling(own);
-    let all = (0..N).filter(|own| coupling(*own) > 0.0);
+    let across = |own: usize| sizes[own] * sizes[own] / natural[own];
+    let all = (0..N).filter(|own| natural[*own] > 0.0);
     let most = all.map(across).fold(0.0, f64::max);
-    let allowed = |own: usize| Inconsistent::TOLERANCE * libm::sqrt(coupling(own) * most);
+    let allowed = |own: usize| Inconsistent::TOLERANCE * libm::sqrt(natural[own] * most);
     let mut all = values.iter().enumerate();
     all.all(|(own, value)| {
         value.is_none_or(|value| value.is_finite() && value.abs() <= allowed(own))

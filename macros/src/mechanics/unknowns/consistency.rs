@@ -168,6 +168,11 @@ pub fn summed_size(graph: &mut Graph, value: Id) -> Id {
             }
             Node::Negate(a) | Node::Quantity(a) | Node::Positive(a) => factors.push(a),
             Node::Add(..) | Node::Subtract(..) => sums.push(factor),
+            Node::Select(condition, a, b) => {
+                let [a, b] = [a, b].map(|value| summed_size(graph, value));
+                let size = graph.select(condition, a, b);
+                rest = graph.multiply(rest, size);
+            }
             _ => rest = graph.multiply(rest, factor),
         }
     }

@@ -39,8 +39,8 @@ pub struct Assembly<'a> {
     defaults: HashMap<Id, f64>,
     /// The largest of the terms of each slope in a few states.
     terms: Vec<Vec<f64>>,
-    /// The number of coordinates that rows hold in these states.
-    held: usize,
+    /// For each coordinate, whether any row has a slope along it in these states.
+    held: Vec<bool>,
 }
 
 /// For each row, whether it is independent of the rows before it.
@@ -74,7 +74,7 @@ impl<'a> Assembly<'a> {
             .filter_map(|(symbol, value)| Some((*symbol, work.graph.as_number(*value)?.to_f64())));
         let mut assembly = Self {
             terms: vec![vec![0.0; coordinates.rates.len()]; rows.len()],
-            held: 0,
+            held: Vec::new(),
             rows,
             rates: &coordinates.rates,
             coordinates: &coordinates.places,
@@ -92,8 +92,8 @@ impl<'a> Assembly<'a> {
         }
         let slopes = generic.iter().flat_map(|one| assembly.rounded_slopes(one));
         let slopes: Vec<Vec<f64>> = slopes.collect();
-        let columns = 0..coordinates.rates.len();
-        assembly.held = columns.filter(|own| is_held(&slopes, *own)).count();
+        let is_held = |own: usize| slopes.iter().any(|row| row[own] != 0.0);
+        assembly.held = (0..coordinates.rates.len()).map(is_held).collect();
         assembly
     }
 
@@ -299,15 +299,10 @@ impl<'a> Assembly<'a> {
         for row in &slopes {
             span.take(row.clone());
         }
-        let way = (0..self.rates.len()).map(|own| {
-            if is_held(&slopes, own) {
-                random.number()
-            } else {
-                0.0
-            }
-        });
+        let held = self.held.iter();
+        let way = held.map(|is_held| if *is_held { random.number() } else { 0.0 });
         let Some(way) = span.left(way.collect()) else {
-            return (span.rank() == self.held).then_some(false);
+            return (span.rank() == count(&self.held)).then_some(false);
         };
         let step: Vec<f64> = way.iter().map(|part| MOVED * part).collect();
         let mut moved = self.moved(values, &step);
@@ -316,11 +311,6 @@ impl<'a> Assembly<'a> {
         let ranks = [values, &moved].map(|values| count(&self.independent_at(values)));
         (back > -0.5 * MOVED && ranks[0] == ranks[1]).then_some(true)
     }
-}
-
-/// Whether any row has a slope along a coordinate.
-fn is_held(slopes: &[Vec<f64>], coordinate: usize) -> bool {
-    slopes.iter().any(|row| row[coordinate] != 0.0)
 }
 
 fn count(found: &[bool]) -> usize {

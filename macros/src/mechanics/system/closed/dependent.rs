@@ -127,7 +127,14 @@ pub fn dependent(
         Solver::new(graph, (&left.matrix, &left.bounds), &ranks)
     };
     let loads = solver.solve(graph, &left.right);
-    let holds = guard_of(graph, &left, (kept, &loads), (&closeness, &solver))?;
+    let of_loads = of_loads(graph, matrix);
+    let holds = guard_of(
+        graph,
+        &left,
+        (kept, &loads),
+        (&closeness, &solver),
+        of_loads,
+    )?;
     let all = combined(graph, &left.base, &left.units, &loads);
     let all: Vec<Id> = all
         .into_iter()
@@ -321,15 +328,31 @@ fn combined(graph: &mut Graph, base: &[Id], units: &[Vec<Id>], factors: &[Id]) -
     all.collect()
 }
 
-/// One if all rows are satisfied with these loads, otherwise NaN.
+/// The squares of the accelerations of all coordinates by their loads, in the metric of the kinetic
+/// energy, if masses do not couple them.
+fn of_loads(graph: &mut Graph, matrix: &MassMatrix) -> Id {
+    let mut parts = Vec::new();
+    for (own, load) in matrix.driving.iter().enumerate() {
+        let mass = matrix.rows[own][own];
+        if !graph.is_zero(mass) {
+            let square = graph.square(*load);
+            parts.push(graph.divide(square, mass));
+        }
+    }
+    graph.sum(&parts)
+}
+
+/// One if all rows are satisfied with these loads, otherwise NaN. `of_loads` bounds the
+/// accelerations from which rows leave only rounding errors.
 fn guard_of(
     graph: &mut Graph,
     left: &Left,
     (kept, loads): (&[(Owner, ConstraintRow)], &[Id]),
     (closeness, solver): (&Closeness, &Solver),
+    of_loads: Id,
 ) -> Option<Id> {
     let count = kept.first()?.1.slopes.len();
-    let (mut holds, mut passed) = (graph.one(), graph.zero());
+    let (mut holds, mut passed) = (graph.one(), of_loads);
     for (step, group) in solver.steps.iter().zip(&left.groups) {
         let (mut lacking, mut sizes, mut rows) = (Vec::new(), Vec::new(), Vec::new());
         for own in step.own.clone() {

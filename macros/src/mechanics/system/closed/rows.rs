@@ -9,13 +9,13 @@ use crate::model::{Connection, Frame, System, Workspace};
 use crate::symbolic::{Components, Graph, Id};
 
 use super::super::constraints::{
-    ConstraintRow, Ends, Placed, place_links, rows_of_joint, rows_of_written,
+    ConstraintRow, Ends, Loop, Placed, place_links, rows_of_joint, rows_of_written,
 };
 
 /// The joint or written constraint that a row belongs to.
 pub enum Owner {
     /// A joint that closes a loop, by its index, and the force and moment of a unit of the row's
-    /// load.
+    /// load, in the axes of the loop.
     Joint(usize, [Components; 2]),
     /// A written constraint, by the index of its load.
     Written(usize),
@@ -27,9 +27,12 @@ pub struct Known<'a> {
     /// Its tree, with the inertia that loads add. The accelerations of free links are along world
     /// axes.
     pub in_world: Tree,
+    /// The places of the links, in world axes.
     pub placed: Vec<Placed>,
     /// The ends of the joints that close loops.
     pub ends: Vec<Ends<'a>>,
+    /// The loops that they close.
+    pub loops: Vec<Loop>,
     pub kept: Vec<(Owner, ConstraintRow)>,
     /// The rows that do not restrict accelerations.
     pub idle: Vec<(Owner, ConstraintRow)>,
@@ -56,17 +59,16 @@ impl<'a> Known<'a> {
         let ends: Vec<Ends<'_>> = closings
             .map(|closing| ends(system, work, built, closing))
             .collect();
-        for ends in &ends {
-            for (link, offset) in ends.links.iter().zip(ends.offsets) {
-                let Some(link) = link else { continue };
-                let arm = placed[*link].to_world(&mut work.graph, offset);
-                let name = format!("arm_{}", built.tree.links[*link].name);
-                work.labels.vector(&name, arm);
-            }
-        }
+        let loops = ends.iter().map(|ends| {
+            let (graph, labels) = (&mut work.graph, &mut work.labels);
+            let own = Loop::of((&mut *graph, &mut *labels), (&built.tree, &placed), ends);
+            own.label_arms((graph, labels), &built.tree, ends);
+            own
+        });
+        let loops: Vec<Loop> = loops.collect();
         let mut rows: Vec<(Owner, ConstraintRow)> = Vec::new();
-        for (number, ends) in ends.iter().enumerate() {
-            let own = rows_of_joint(&mut work.graph, &built.tree, &placed, ends).into_iter();
+        for (number, (ends, own)) in ends.iter().zip(&loops).enumerate() {
+            let own = rows_of_joint(&mut work.graph, &built.tree, own, ends).into_iter();
             rows.extend(own.map(|one| (Owner::Joint(number, [one.force, one.moment]), one.row)));
         }
         let written = rows_of_written(system, work, built, motion).into_iter();
@@ -84,9 +86,22 @@ impl<'a> Known<'a> {
             in_world,
             placed,
             ends,
+            loops,
             kept,
             idle,
         }
+    }
+
+    /// The force and moment of each joint that closes a loop, in world axes.
+    pub fn in_world(
+        &self,
+        graph: &mut Graph,
+        wrenches: &[[Components; 2]],
+    ) -> Vec<[Components; 2]> {
+        let loops = self.loops.iter().zip(wrenches);
+        loops
+            .map(|(own, wrench)| own.to_world(graph, &self.placed, *wrench))
+            .collect()
     }
 
     /// Whether rows are trivial somewhere, or loads on this tree depend on unknowns.

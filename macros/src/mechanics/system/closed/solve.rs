@@ -9,7 +9,7 @@ use crate::mechanics::variation::Direction;
 use crate::model::{System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Graph, Id};
 
-use super::super::constraints::{ConstraintRow, Ends, Placed, push_written};
+use super::super::constraints::{ConstraintRow, Ends, Loop, push_written};
 use super::assembly::{Assembly, Coordinates, Rank};
 use super::dependent::{dependent, full, groups};
 use super::eliminated::{Following, Found, eliminated};
@@ -60,10 +60,11 @@ pub fn close(
         work.labels.name(*load, name);
     }
     let undetermined = undetermined(system, work, &known, (&found, spare));
-    for (ends, wrench) in known.ends.iter().zip(&wrenches) {
-        push(&mut work.graph, loaded, &known.placed, ends, *wrench);
+    for ((ends, own), wrench) in known.ends.iter().zip(&known.loops).zip(&wrenches) {
+        push(&mut work.graph, loaded, own, ends, *wrench);
     }
     push_written(system, work, built, loaded, &loads);
+    let wrenches = known.in_world(&mut work.graph, &wrenches);
     let freedoms = 0..matrix.driving.len();
     let closed = Closed {
         kept: known.kept,
@@ -101,7 +102,8 @@ fn undetermined(
     for loads in spare {
         let mut tree = bare(&work.graph, known.built);
         push_written(system, work, known.built, &mut tree, &loads.1);
-        let spare = Spare::new(&mut work.graph, known, &tree, loads);
+        let closings = known.in_world(&mut work.graph, &loads.0);
+        let spare = Spare::new(&mut work.graph, known, &tree, (closings, loads.1));
         undetermined.spare.push(spare);
     }
     undetermined
@@ -202,7 +204,8 @@ fn where_closed(
     )
 }
 
-/// The force and moment of each joint that closes a loop, and the load of each written constraint.
+/// The force and moment of each joint that closes a loop, in the axes of the loop, and the load of
+/// each written constraint.
 type Loads = (Vec<[Components; 2]>, Vec<Id>);
 
 /// Sets of loads that balance each other. The load of an idle row is such a set by itself.
@@ -247,7 +250,7 @@ fn axes(system: &System, work: &mut Workspace, known: &Known<'_>) -> Vec<Option<
     let axes = system.connections().map(|joint| {
         let axis = joint.directions.first()?;
         let placed = &known.placed[known.built.body(joint.carried)];
-        Some(placed.to_world(&mut work.graph, *axis))
+        Some(placed.to_frame(&mut work.graph, *axis))
     });
     axes.collect()
 }
@@ -256,18 +259,18 @@ fn axes(system: &System, work: &mut Workspace, known: &Known<'_>) -> Vec<Option<
 fn push(
     graph: &mut Graph,
     tree: &mut Tree,
-    placed: &[Placed],
+    own: &Loop,
     ends: &Ends<'_>,
     [force, moment]: [Components; 2],
 ) {
-    let Some(carried) = ends.links[1] else { return };
-    let place = placed[carried].spot(graph, ends.offsets[1]).place;
+    let place = own.placed(ends.links[1]).spot(graph, ends.offsets[1]).place;
     for (link, is_carried) in [(ends.links[0], false), (ends.links[1], true)] {
+        let placed = own.placed(link);
         let Some(link) = link else { continue };
-        let arm = graph.subtract_vectors(place, placed[link].origin);
+        let arm = graph.subtract_vectors(place, placed.origin);
         let lever = graph.cross(arm, force);
         let about = graph.add_vectors(moment, lever);
-        let turning = placed[link].turning;
+        let turning = placed.turning;
         let both = [force, about].map(|part| {
             let part = turning.to_link(graph, part);
             let part = graph.quantities(part);

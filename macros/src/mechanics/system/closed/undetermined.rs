@@ -55,7 +55,7 @@ impl Spare {
             for (number, other) in tree.links.iter().enumerate() {
                 if is_above(number) {
                     let pair = [other.force, other.moment];
-                    let pair = pair.map(|part| placed[number].to_world(graph, part));
+                    let pair = pair.map(|part| placed[number].to_frame(graph, part));
                     subtract_at(
                         graph,
                         &mut sums,

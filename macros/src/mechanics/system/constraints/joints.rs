@@ -7,33 +7,22 @@ use crate::model::Connection;
 use crate::symbolic::{Comparison, Components, Function, Graph, Id};
 
 use super::held::{Held, Thread, at_zero, held};
+use super::loops::{Ends, Loop};
+use super::placed::{Placed, Spot};
 use super::row::ConstraintRow;
-use super::world::{Placed, Spot};
 
 /// One constraint of a joint.
 pub struct JointRow {
     pub row: ConstraintRow,
     /// A unit of its load: the force and moment on the carried body, at its point of the joint, in
-    /// world axes. On the carrier, the opposite acts at the same place.
+    /// the axes of the loop. On the carrier, the opposite acts at the same place.
     pub force: Components,
     pub moment: Components,
 }
 
-/// Both sides of a joint that closes a loop.
-pub struct Ends<'a> {
-    pub closing: &'a Connection,
-    /// The links, `None` for the ground, and the offsets of the joint from their origins.
-    pub links: [Option<usize>; 2],
-    pub offsets: [Components; 2],
-    pub is_planar: bool,
-}
-
 /// The constraints of a joint that closes a loop.
-pub fn rows(graph: &mut Graph, tree: &Tree, placed: &[Placed], ends: &Ends<'_>) -> Vec<JointRow> {
-    let ground = Placed::ground(graph);
-    let sides = ends
-        .links
-        .map(|link| link.map_or(&ground, |link| &placed[link]));
+pub fn rows(graph: &mut Graph, tree: &Tree, own: &Loop, ends: &Ends<'_>) -> Vec<JointRow> {
+    let sides = ends.links.map(|link| own.placed(link));
     let spots = [0, 1].map(|end| sides[end].spot(graph, ends.offsets[end]));
     let joined = Joined { sides, spots };
     let held = held(graph, ends.closing, ends.is_planar);
@@ -44,7 +33,7 @@ pub fn rows(graph: &mut Graph, tree: &Tree, placed: &[Placed], ends: &Ends<'_>) 
         } else {
             format!("{}_{}", ends.closing.name, number + 1)
         };
-        row(graph, tree, placed, (ends, &joined), held, name)
+        row(graph, tree, own, (ends, &joined), held, name)
     });
     rows.collect()
 }
@@ -52,7 +41,7 @@ pub fn rows(graph: &mut Graph, tree: &Tree, placed: &[Placed], ends: &Ends<'_>) 
 fn row(
     graph: &mut Graph,
     tree: &Tree,
-    placed: &[Placed],
+    own: &Loop,
     (ends, joined): (&Ends<'_>, &Joined<'_>),
     held: Held,
     name: String,
@@ -64,7 +53,7 @@ fn row(
         Held::Place(_) => joined.spots.map(|spot| spot.place),
         _ => [joined.spots[1].place; 2],
     };
-    let slopes = slopes(graph, tree, placed, (ends, places), [force, moment]);
+    let slopes = slopes(graph, tree, own, (ends, places), [force, moment]);
     let [value, rate, bias] = measured.change.map(|id| graph.quantity(id));
     let facing = joined.facing(graph, held);
     JointRow {
@@ -106,7 +95,7 @@ impl Joined<'_> {
                 moment: zeros,
             },
             Held::Across(own) => {
-                let e = carrier.to_world(graph, own);
+                let e = carrier.to_frame(graph, own);
                 Measured {
                     change: self.along(graph, e),
                     force: e,
@@ -114,7 +103,7 @@ impl Joined<'_> {
                 }
             }
             Held::Thread(thread) => {
-                let e = carrier.to_world(graph, thread.axis);
+                let e = carrier.to_frame(graph, thread.axis);
                 let change = self.along_thread(graph, &thread, e);
                 let moment = graph.scale_vector(thread.pitch, e);
                 Measured {
@@ -133,8 +122,8 @@ impl Joined<'_> {
             return None;
         };
         let [carrier, carried] = self.sides;
-        let own = carrier.to_world(graph, own);
-        let other = carried.to_world(graph, other);
+        let own = carrier.to_frame(graph, own);
+        let other = carried.to_frame(graph, other);
         let cosine = graph.dot(own, other);
         Some(graph.quantity(cosine))
     }
@@ -197,8 +186,8 @@ impl Joined<'_> {
             let part = graph.multiply(thread.pitch, turning);
             graph.subtract(whole, part)
         });
-        let own = carrier.to_world(graph, thread.across[0]);
-        let other = carried.to_world(graph, thread.across[1]);
+        let own = carrier.to_frame(graph, thread.across[0]);
+        let other = carried.to_frame(graph, thread.across[1]);
         let normal = graph.cross(own, other);
         let (cosine, sine) = (graph.dot(own, other), graph.dot(e, normal));
         let angle = graph.divide(place, thread.pitch);
@@ -232,8 +221,8 @@ impl Joined<'_> {
         closing: &Connection,
     ) -> Measured {
         let [carrier, carried] = self.sides;
-        let e = carrier.to_world(graph, own);
-        let d = carried.to_world(graph, other);
+        let e = carrier.to_frame(graph, own);
+        let d = carried.to_frame(graph, other);
         let n = graph.cross(d, e);
         let n = graph.quantities(n);
         let [w, alpha] = self.turning(graph);
@@ -262,7 +251,7 @@ impl Joined<'_> {
 fn slopes(
     graph: &mut Graph,
     tree: &Tree,
-    placed: &[Placed],
+    own: &Loop,
     (ends, places): (&Ends<'_>, [Components; 2]),
     [force, moment]: [Components; 2],
 ) -> Vec<Id> {
@@ -285,14 +274,14 @@ fn slopes(
                 all.push(graph.zero());
                 continue;
             }
-            let own = &placed[index];
-            let about = own.to_world(graph, freedom.twist.angular);
+            let placed = own.placed(Some(index));
+            let about = placed.to_frame(graph, freedom.twist.angular);
             let along = if link.is_free {
                 freedom.twist.linear
             } else {
-                own.to_world(graph, freedom.twist.linear)
+                placed.to_frame(graph, freedom.twist.linear)
             };
-            let arm = graph.subtract_vectors(places[usize::from(on)], own.origin);
+            let arm = graph.subtract_vectors(places[usize::from(on)], placed.origin);
             let arm = graph.quantities(arm);
             let lever = graph.cross(arm, force);
             let whole = graph.add_vectors(lever, moment);

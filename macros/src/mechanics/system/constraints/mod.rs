@@ -3,12 +3,14 @@
 mod followers;
 mod held;
 mod joints;
+mod loops;
+mod placed;
 mod row;
-mod world;
 mod written;
 
 pub use followers::{check_followers, replace, split};
-pub use joints::{Ends, rows as rows_of_joint};
+pub use joints::rows as rows_of_joint;
+pub use loops::{Ends, Loop};
+pub use placed::{Placed, place_links};
 pub use row::ConstraintRow;
-pub use world::{Placed, place_links};
 pub use written::{push as push_written, rows as rows_of_written};

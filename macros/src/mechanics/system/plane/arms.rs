@@ -56,7 +56,7 @@ impl<'a> Arms<'a> {
         let found = if let Some([_, found]) = known.find(|[own, _]| *own == vector) {
             *found
         } else {
-            let found = self.placed[link].to_world(graph, vector);
+            let found = self.placed[link].to_frame(graph, vector);
             self.known[link].push([vector, found]);
             found
         };

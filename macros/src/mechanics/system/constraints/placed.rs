@@ -1,13 +1,12 @@
-//! The motion of links in world axes, with zero joint accelerations, as constraints between links
-//! need it.
+//! The motion of links with zero joint accelerations, as constraints between links need it.
 
 use crate::mechanics::tree::link::{Link, Tree};
 use crate::mechanics::tree::turning::Turning;
 use crate::model::Labels;
 use crate::symbolic::{Components, Graph, Id};
 
-/// The place and the motion of a link, in world axes. Its acceleration is that with zero joint
-/// accelerations.
+/// The place and the motion of a link, relative to the ground or to a link that carries it, in the
+/// axes of that. Its acceleration is that with zero joint accelerations.
 #[derive(Clone)]
 pub struct Placed {
     pub turning: Turning,
@@ -30,7 +29,8 @@ pub struct Spot {
 }
 
 impl Placed {
-    pub fn ground(graph: &Graph) -> Self {
+    /// That of the ground or of the link itself.
+    pub fn at_rest(graph: &Graph) -> Self {
         let zeros = graph.zeros();
         Self {
             turning: Turning::Parallel,
@@ -40,6 +40,17 @@ impl Placed {
             acceleration: zeros,
             w: zeros,
             alpha: zeros,
+        }
+    }
+
+    /// The same, seen from its own origin.
+    pub fn at_origin(&self, graph: &Graph) -> Self {
+        let zeros = graph.zeros();
+        Self {
+            origin: zeros,
+            velocity: zeros,
+            acceleration: zeros,
+            ..self.clone()
         }
     }
 
@@ -65,8 +76,24 @@ impl Placed {
         }
     }
 
-    /// Names the place and the motion of its origin.
-    fn label(&self, graph: &Graph, labels: &mut Labels, link: &str) {
+    /// Names the place and the motion of a link, seen from an apex.
+    pub fn label(
+        &self,
+        graph: &Graph,
+        labels: &mut Labels,
+        (tree, link): (&Tree, usize),
+        apex: Option<usize>,
+    ) {
+        let link = &seen_from((tree, link), apex);
+        if let (Turning::About { cosine, sine, .. }, Some((_, angle))) = (self.turning, self.angle)
+        {
+            if apex.is_none() {
+                labels.explain([angle], "angle of each body from the ground");
+            }
+            for (id, name) in [(angle, "angle"), (cosine, "cosine"), (sine, "sine")] {
+                labels.name(id, format!("{name}_{link}"));
+            }
+        }
         if let Turning::By(rows) = &self.turning {
             labels.matrix(&format!("axes_{link}"), rows);
         }
@@ -74,22 +101,26 @@ impl Placed {
         // about z, the axes make no difference
         let [x, y, _] = self.w;
         let is_about_z = [x, y].into_iter().all(|part| graph.is_zero(part));
-        let w = if is_about_z { "w" } else { "w_world" };
+        let w = if is_about_z || apex.is_some() {
+            "w"
+        } else {
+            "w_world"
+        };
         labels.vector_or_one(w, link, self.w);
         labels.vector_or_one("turning_drift", link, self.alpha);
         labels.vector(&format!("v_{link}"), self.velocity);
         labels.vector(&format!("drift_{link}"), self.acceleration);
     }
 
-    /// A vector of the link, in world axes.
-    pub fn to_world(&self, graph: &mut Graph, vector: Components) -> Components {
+    /// A vector of the link, in the axes in which it is placed.
+    pub fn to_frame(&self, graph: &mut Graph, vector: Components) -> Components {
         let turned = self.turning.to_carrier(graph, vector);
         graph.quantities(turned)
     }
 
     /// The motion of a link that this one carries. For a free link, its place and velocity are
     /// `free`.
-    fn carried(&self, graph: &mut Graph, link: &Link, free: Option<[Components; 2]>) -> Self {
+    pub fn carried(&self, graph: &mut Graph, link: &Link, free: Option<[Components; 2]>) -> Self {
         let spot = self.spot(graph, link.place);
         let (turning, angle) = self.turned(graph, link);
         let mut next = Self {
@@ -105,7 +136,7 @@ impl Placed {
             (next.origin, next.velocity) = (origin, velocity);
         }
         for freedom in &link.freedoms {
-            let about = next.to_world(graph, freedom.twist.angular);
+            let about = next.to_frame(graph, freedom.twist.angular);
             let turning = graph.scale_vector(freedom.rate, about);
             let swung = graph.cross(self.w, turning);
             next.w = graph.add_vectors(next.w, turning);
@@ -117,7 +148,7 @@ impl Placed {
             if free.is_some() || graph.is_zero_vector(&freedom.twist.linear) {
                 continue;
             }
-            let along = next.to_world(graph, freedom.twist.linear);
+            let along = next.to_frame(graph, freedom.twist.linear);
             let sliding = graph.scale_vector(freedom.rate, along);
             let twice = graph.add_vectors(sliding, sliding);
             let coriolis = graph.cross(self.w, twice);
@@ -158,7 +189,7 @@ impl Placed {
                 }
                 let columns = graph.unit_vectors().map(|unit| {
                     let turned = turning.to_carrier(graph, unit);
-                    self.to_world(graph, turned)
+                    self.to_frame(graph, turned)
                 });
                 let rows = [0, 1, 2].map(|i| [0, 1, 2].map(|j| columns[j][i]));
                 (Turning::By(rows), None)
@@ -167,29 +198,31 @@ impl Placed {
     }
 }
 
-/// The motion of all links; `free` has the places and velocities of free links, by link.
+/// The name of a link as it is seen from an apex, `None` for the ground.
+pub fn seen_from((tree, link): (&Tree, usize), apex: Option<usize>) -> String {
+    let name = &tree.links[link].name;
+    match apex {
+        None => name.clone(),
+        Some(apex) => format!("{name}_from_{}", tree.links[apex].name),
+    }
+}
+
+/// The motion of all links in world axes; `free` has the places and velocities of free links, by link.
 pub fn place_links(
     (graph, labels): (&mut Graph, &mut Labels),
     tree: &Tree,
     free: impl Fn(usize) -> Option<[Components; 2]>,
 ) -> Vec<Placed> {
-    let ground = Placed::ground(graph);
+    let ground = Placed::at_rest(graph);
     let mut all: Vec<Placed> = Vec::new();
     for (index, link) in tree.links.iter().enumerate() {
         let carrier = link.carrier.map_or(&ground, |carrier| &all[carrier]);
         let next = carrier.carried(graph, link, free(index));
-        if let (Turning::About { cosine, sine, .. }, Some((_, angle))) = (next.turning, next.angle)
-        {
-            labels.explain([angle], "angle of each body from the ground");
-            for (id, name) in [(angle, "angle"), (cosine, "cosine"), (sine, "sine")] {
-                labels.name(id, format!("{name}_{}", link.name));
-            }
-        }
         if let Some(number) = link.carrier {
-            let arm = carrier.to_world(graph, link.place);
+            let arm = carrier.to_frame(graph, link.place);
             labels.vector(&format!("arm_{}", tree.links[number].name), arm);
         }
-        next.label(graph, labels, &link.name);
+        next.label(graph, labels, (tree, index), None);
         all.push(next);
     }
     all

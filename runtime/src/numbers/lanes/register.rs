@@ -20,6 +20,20 @@ impl Register for pulp::Scalar {
     }
 }
 
+/// Registers that pulp names, each with a type of its alignment.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64"))]
+macro_rules! registers {
+    ($($register:ident $aligned:ident)*) => {$(
+        impl super::Register for $register {
+            type Aligned = $aligned;
+
+            fn detected() -> Option<Self> {
+                Self::try_new()
+            }
+        }
+    )*};
+}
+
 /// Two, four and eight doubles: SSE4.2, AVX2, AVX-512.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 mod x86 {
@@ -30,19 +44,17 @@ mod x86 {
 
     use pulp::x86::{V2, V3, V4};
 
-    macro_rules! registers {
-        ($($register:ident $aligned:ident)*) => {$(
-            impl super::Register for $register {
-                type Aligned = $aligned;
-
-                fn detected() -> Option<Self> {
-                    Self::try_new()
-                }
-            }
-        )*};
-    }
-
     registers! { V2 __m128d V3 __m256d V4 __m512d }
+}
+
+/// Two doubles: NEON, which every processor of this kind has.
+#[cfg(target_arch = "aarch64")]
+mod aarch64 {
+    use core::arch::aarch64::float64x2_t;
+
+    use pulp::aarch64::Neon;
+
+    registers! { Neon float64x2_t }
 }
 
 /// Work in lanes. Its function, and everything that it calls, must be inlined, so that it is

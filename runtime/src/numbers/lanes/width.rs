@@ -1,5 +1,7 @@
 //! The width of registers, and its detection.
 
+#[cfg(target_arch = "aarch64")]
+use pulp::aarch64::Neon;
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use pulp::x86::{V2, V3, V4};
 
@@ -22,7 +24,7 @@ use super::register::{Register, Work, run_in};
 pub enum Width {
     /// No lanes.
     One,
-    /// SSE4.2.
+    /// SSE4.2, or NEON on 64-bit ARM.
     Two,
     /// AVX2.
     Four,
@@ -67,12 +69,14 @@ impl Width {
             Self::Four => run_if(V3::detected(), work),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
             Self::Two => run_if(V2::detected(), work),
+            #[cfg(target_arch = "aarch64")]
+            Self::Two => run_if(Neon::detected(), work),
             _ => run_in(pulp::Scalar, work),
         }
     }
 }
 
-#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64"))]
 fn run_if<S: Register, W: Work>(simd: Option<S>, work: W) -> W::Output {
     match simd {
         Some(simd) => run_in(simd, work),

@@ -140,11 +140,7 @@ impl<A: Adaptive, B: Generic> Work for Stream<'_, A, B> {
                 self.clear(&mut register);
                 let fresh = register.fill(&mut waiting, &mut seats, self.states, self.motions);
                 if fresh.iter().any(|one| *one != 0.0) {
-                    by_itself(
-                        simd,
-                        #[cfg_attr(not(unoptimized), inline(always))]
-                        || register.begin(&seats, &fresh, self.motions),
-                    );
+                    by_itself!(simd, register.begin(&seats, &fresh, self.motions));
                 }
                 if register.lanes.iter().all(|lane| lane.member.is_none()) {
                     return;
@@ -153,14 +149,10 @@ impl<A: Adaptive, B: Generic> Work for Stream<'_, A, B> {
                     continue;
                 }
             }
-            by_itself(
-                simd,
-                #[cfg_attr(not(unoptimized), inline(always))]
-                || {
-                    register.choose();
-                    register.step();
-                },
-            );
+            by_itself!(simd, {
+                register.choose();
+                register.step();
+            });
         }
     }
 }

@@ -437,10 +437,6 @@ where
         time: Lanes<S>,
         coordinates: &<L::State as Coordinates>::Array,
     ) -> <L::State as Coordinates>::Array {
-        by_itself(
-            self.simd,
-            #[cfg_attr(not(unoptimized), inline(always))]
-            || self.equations.rates(time, coordinates),
-        )
+        by_itself!(self.simd, self.equations.rates(time, coordinates))
     }
 }

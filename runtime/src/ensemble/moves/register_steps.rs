@@ -165,17 +165,12 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
         };
         let (mut since, mut before) = (Lanes::splat(simd, 0.0), coordinates);
         while (0..self.count).any(|lane| self.of(lane).goes) {
-            let [time, step, lower, upper] = [
-                Way::time,
-                Way::step,
-                |way: &Way| way.stretch.lower,
-                |way: &Way| way.stretch.upper,
-            ]
-            .map(|part| self.register(simd, part));
+            let time = self.register(simd, Way::time);
+            let step = self.register(simd, Way::step);
             let within = Within {
                 body,
-                lower,
-                upper,
+                lower: self.register(simd, |way| way.stretch.lower),
+                upper: self.register(simd, |way| way.stretch.upper),
                 given: Lanes::splat(simd, self.limits.held.start),
             };
             let equations = Equations {

@@ -11,6 +11,6 @@ mod sines;
 mod width;
 
 pub use arithmetic::{Lanes, Mask};
-pub(crate) use register::by_itself;
 pub use register::{Register, Work};
+pub(crate) use register::{by_itself, in_function};
 pub use width::Width;

@@ -72,9 +72,22 @@ pub(super) fn run_in<S: Register, W: Work>(simd: S, work: W) -> W::Output {
     simd.vectorize(Compiled(simd, work))
 }
 
-/// Runs a part of such work in a separate function, for the same register.
+/// A part of such work in a separate function, for the same register. A closure of it must be
+/// inlined there like all that it calls; this macro sees to that.
+macro_rules! by_itself {
+    ($simd:expr, $part:expr) => {
+        $crate::numbers::lanes::in_function(
+            $simd,
+            #[cfg_attr(not(unoptimized), inline(always))]
+            || $part,
+        )
+    };
+}
+pub(crate) use by_itself;
+
+/// Runs a part of some work in a separate function. Called by [`by_itself`] only.
 #[cfg_attr(not(unoptimized), inline(always))]
-pub(crate) fn by_itself<S: Register, R>(simd: S, part: impl FnOnce() -> R) -> R {
+pub(crate) fn in_function<S: Register, R>(simd: S, part: impl FnOnce() -> R) -> R {
     simd.vectorize(Part(part))
 }
 

@@ -58,11 +58,7 @@ pub(super) fn sin_cos<S: Register>(angle: Lanes<S>) -> (Lanes<S>, Lanes<S>) {
             Lanes::splat(angle.simd, cosine),
         );
     }
-    let ((mut sines, mut cosines), settled) = by_itself(
-        angle.simd,
-        #[cfg_attr(not(unoptimized), inline(always))]
-        || side_by_side(angle),
-    );
+    let ((mut sines, mut cosines), settled) = by_itself!(angle.simd, side_by_side(angle));
     if Lanes::agreed(settled) != Some(true) {
         let zero = Lanes::splat(angle.simd, 0.0);
         let left = Lanes::select(settled, zero, angle);

@@ -51,6 +51,13 @@ fn by_midpoints(bits: &mut Bits, width: Width) {
     ensemble.states().iter().for_each(|state| bits.add(&state));
 }
 
+/// Otherwise nothing would be compared there.
+#[cfg(target_arch = "aarch64")]
+#[test]
+fn two_lanes_are_there() {
+    assert_eq!(Width::widest(), Width::Two);
+}
+
 /// A body in space and one in the plane, the same in each width that the processor has.
 pub fn bodies() -> Vec<(Width, Bits)> {
     in_each_width(|bits, width| {

@@ -68,7 +68,7 @@
 //!   inertia). Numbers are passed on bit for bit; `serde_json` reads them so with its feature
 //!   `float_roundtrip`.
 //! - `ensemble`: many bodies at once, in registers of two, four or eight numbers, chosen at run
-//!   time; it allocates.
+//!   time (on 64-bit ARM two); it allocates.
 //! - `rayon`: ensembles on all processor cores.
 //! - `progress`: a progress bar for motions that take longer than a second, in terminals.
 //! - `stl`: mass, center of mass and inertia of closed meshes, from STL files

@@ -38,6 +38,9 @@ pub use statistics::{Moments, Statistics, shard};
 
 /// Bodies of one kind that move independently of each other.
 ///
+/// A register holds eight members with AVX-512, four with AVX2, two with SSE4.2 or with the NEON of
+/// 64-bit ARM; elsewhere it holds one. [`Ensemble::set_width`] chooses fewer.
+///
 /// ```
 /// use newton_euler::{ensemble::Ensemble, prelude::*};
 /// use newton_euler::nalgebra::Vector3;

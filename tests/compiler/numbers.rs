@@ -441,3 +441,17 @@ fn angles_by_their_tangents_have_algebraic_sines() {
     let three_quarters = of(Function::Atan2, &[integer(4), integer(3)]) * integer(2) + Number::pi();
     assert_eq!(of(Function::Cos, &[three_quarters]), parse("0.28"));
 }
+
+#[test]
+fn a_root_of_a_rational_number_that_is_made_of_roots_is_the_root_of_that_number() {
+    let root = |of: &str| at(Function::Sqrt, &parse(of));
+    // 0.2154^2 1.059624 + 0.0426^2 = 0.3^2 0.555524 1.019624
+    let second = parse("0.2154") * root("1.059624");
+    let squares = second.clone() * second + parse("0.0426") * parse("0.0426");
+    let product = parse("0.3") * root("0.555524") * root("1.019624");
+    assert_eq!(of(Function::Sqrt, &[squares.clone()]), product);
+    // what is only near it has another root
+    let near = squares + parse("1e-60") * root("2");
+    let difference = of(Function::Sqrt, &[near]) - product;
+    assert!(difference.is_positive() && !difference.is_undecided());
+}

@@ -246,6 +246,19 @@ impl Number {
         self.residue() == other.residue() && difference().may_be_zero()
     }
 
+    /// The rational number that an irrational expression is proved to be: the one with the fewest
+    /// digits near its value, if both have the same residue.
+    pub(super) fn to_rational(&self) -> Option<Self> {
+        let ball = self.ball(MORE[0]);
+        if ball.bits() < ENOUGH {
+            return None;
+        }
+        let error = power_of_two(ball.error);
+        let simplest = RBig::simplest_in(&ball.value - &error, &ball.value + &error);
+        let simplest = Self::from(simplest);
+        (Residue::rational(&simplest) == Some(self.residue())).then_some(simplest)
+    }
+
     /// How it is computed, if it is not rational.
     pub(super) fn term(&self) -> Option<&Term> {
         Some(&self.known()?.term)

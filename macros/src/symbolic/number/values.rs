@@ -77,7 +77,13 @@ impl Number {
         if self.is_zero() {
             return Some(Self::zero());
         }
-        let residue = (!self.is_rounded()).then(|| root_residue(self)).flatten();
+        if self.is_rounded() {
+            return match self.to_rational() {
+                Some(rational) => rational.sqrt(),
+                None => Self::value_of(Function::Sqrt, self, None),
+            };
+        }
+        let residue = root_residue(self);
         self.exact_root(2)
             .or_else(|| Self::value_of(Function::Sqrt, self, residue))
     }

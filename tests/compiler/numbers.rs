@@ -450,6 +450,17 @@ fn a_root_of_a_rational_number_that_is_made_of_roots_is_the_root_of_that_number(
     let squares = second.clone() * second + parse("0.0426") * parse("0.0426");
     let product = parse("0.3") * root("0.555524") * root("1.019624");
     assert_eq!(of(Function::Sqrt, &[squares.clone()]), product);
+    // prime factors of more than 16 bits, several or equal ones
+    for (of, roots) in [
+        ("130840949609", ["77201", "1694809", "1"]),
+        ("4295229473066606101", ["65537", "65539", "1000000007"]),
+        ("12000000097000000133", ["3000000019", "4000000007", "1"]),
+    ] {
+        let [a, b, c] = roots.map(root);
+        assert_eq!(root(of), a * b * c);
+    }
+    let twice = parse("65537") * root("1000000007");
+    assert_eq!(root("4295098399065688583"), twice);
     // what is only near it has another root
     let near = squares + parse("1e-60") * root("2");
     let difference = of(Function::Sqrt, &[near]) - product;

@@ -13,7 +13,7 @@
 use core::cell::RefCell;
 use std::rc::Rc;
 
-use dashu_int::{IBig, UBig};
+use dashu_int::UBig;
 use dashu_ratio::RBig;
 
 use super::ball::{Ball, NONE};
@@ -328,40 +328,6 @@ impl Irrational {
         self.again.borrow_mut().push((bits, ball.clone()));
         ball
     }
-}
-
-/// The residue of the root of a positive rational number. Only small prime factors are looked for;
-/// all that is known of the rest is that equal numbers have equal residues.
-pub fn root_residue(of: &Number) -> Option<Residue> {
-    let (above, below) = (of.value.numerator(), of.value.denominator());
-    let mut rest = u128::try_from(above * IBig::from(below.clone())).ok()?;
-    let mut residue = Residue::rational(&Number::from(RBig::from(below.clone())))?.reciprocal()?;
-    let mut times = |prime: u128, power: u32| {
-        let prime = Residue::real(prime);
-        for _ in 0..power / 2 {
-            residue = residue * prime;
-        }
-        if power % 2 == 1 {
-            residue = residue * prime.root()?;
-        }
-        Some(())
-    };
-    for divisor in core::iter::once(2).chain((3..1 << 16).step_by(2)) {
-        let mut power = 0;
-        while rest % divisor == 0 {
-            (rest, power) = (rest / divisor, power + 1);
-        }
-        times(divisor, power)?;
-        if divisor * divisor > rest {
-            break;
-        }
-    }
-    match rest {
-        1 => {}
-        prime if prime < 1 << 32 => times(prime, 1)?,
-        _ => residue = residue * Residue::stand_in(&(Function::Sqrt, rest)),
-    }
-    Some(residue)
 }
 
 fn power_of_two(exponent: isize) -> RBig {

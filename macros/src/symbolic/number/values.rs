@@ -6,7 +6,7 @@ use dashu_ratio::RBig;
 use super::exact::Number;
 use super::float::Float;
 use super::function::Function;
-use super::irrational::root_residue;
+use super::rational_residues::root_residue;
 use super::residue::{FACTORS, ORDER, Residue, on_circle, root_of_unity};
 
 /// Powers with integer exponents up to this one are multiplied out; others are exponentials.

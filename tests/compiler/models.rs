@@ -173,10 +173,7 @@ fn what_is_wrong_with_joints_is_said() {
             "`type` is one of `hinge`, `slide`, `ball`, `free`, and this is `ben`",
         ),
         ("axis=\"0 0 0\"", "`axis`: the zero vector has no direction"),
-        (
-            "damping=\"1 2\"",
-            "`damping` has 1 numbers with blanks between, and this has 2",
-        ),
+        ("damping=\"1 2\"", "`damping` is one number, and this has 2"),
         ("class=\"arm\"", "there is no class `arm`"),
         (
             "axes=\"0 0 1\"",
@@ -287,7 +284,7 @@ fn what_is_wrong_beside_the_bodies_is_said() {
         ),
         (
             "<compiler eulerseq=\"xyw\"/>",
-            "`<compiler>`: `eulerseq` is three letters of `xyz`, or three of `XYZ`",
+            "`<compiler>`: `eulerseq` is three letters of `xyzXYZ`",
         ),
         (
             "<compiler angle=\"grad\"/>",
@@ -313,6 +310,22 @@ fn what_is_wrong_beside_the_bodies_is_said() {
 }
 
 /// A file, and all that is said of it.
+/// Each letter adds its rotation: after the others if its axis rotates with the body, before them if
+/// it is fixed, as in `mju_euler2Quat`.
+#[test]
+fn axes_of_euler_angles_may_be_fixed_and_rotating_together() {
+    let of = |order: &str, angles: &str| {
+        let text = format!(
+            "<mujoco><compiler eulerseq=\"{order}\"/><worldbody><body euler=\"{angles}\"><joint/><geom size=\".1\" pos=\"1 2 3\"/></body></worldbody></mujoco>"
+        );
+        expanded("euler", text.as_bytes()).to_string()
+    };
+    assert_eq!(of("xYz", "10 20 30"), of("yxz", "20 10 30"));
+    assert_eq!(of("ZyX", "10 20 30"), of("xzy", "30 10 20"));
+    assert_eq!(of("XYZ", "10 20 30"), of("zyx", "30 20 10"));
+    assert_ne!(of("xYz", "10 20 30"), of("xyz", "10 20 30"));
+}
+
 fn check_file(text: &str, expected: &[&str]) {
     assert_eq!(said(expanded("wrong", text.as_bytes())), expected, "{text}");
 }

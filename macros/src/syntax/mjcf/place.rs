@@ -136,14 +136,13 @@ impl Reader<'_> {
             "quat" => self.quaternion(element),
             "euler" => {
                 let angles = self.triple(element, name, "0 0 0");
-                let order = settings.order.iter().zip(&angles);
-                let turns = order.filter_map(|(axis, angle)| {
-                    let (text, value) = settings.angle(angle)?;
-                    Some(Turn::about(*axis, text, value))
-                });
-                let mut turns: Vec<Turn> = turns.collect();
-                if settings.is_fixed {
-                    turns.reverse();
+                let mut turns = Vec::new();
+                for ((axis, is_fixed), angle) in settings.order.iter().zip(&angles) {
+                    let turn = settings.angle(angle);
+                    let turn = turn.map(|(text, value)| Turn::about(*axis, text, value));
+                    // a rotation about a fixed axis precedes those about axes that it rotates
+                    let place = if *is_fixed { 0 } else { turns.len() };
+                    turns.splice(place..place, turn);
                 }
                 turns
             }

@@ -10,9 +10,8 @@ use super::classes::{Element, bare};
 /// How a file is interpreted.
 pub struct Settings {
     pub is_radian: bool,
-    /// The axes of Euler angles, and whether they are fixed instead of rotating with the body.
-    pub order: [usize; 3],
-    pub is_fixed: bool,
+    /// The axes of Euler angles, and whether each is fixed instead of rotating with the body.
+    pub order: [(usize, bool); 3],
     /// Whether all bodies take their mass from geoms, or none does. By default, bodies without
     /// `<inertial>` do.
     pub from_geoms: Option<bool>,
@@ -26,8 +25,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             is_radian: false,
-            order: [0, 1, 2],
-            is_fixed: false,
+            order: [0, 1, 2].map(|axis| (axis, false)),
             from_geoms: None,
             groups: [0.0, 5.0],
             gravity: None,
@@ -172,15 +170,12 @@ impl Reader<'_> {
     }
 
     fn order(&mut self, node: Node<'_, '_>, text: &str, settings: &mut Settings) {
-        let axes = |letters: &str| -> Option<Vec<usize>> {
-            text.chars().map(|letter| letters.find(letter)).collect()
-        };
-        let (moving, fixed) = (axes("xyz"), axes("XYZ"));
-        settings.is_fixed = moving.is_none();
-        if let Some(Ok(order)) = moving.or(fixed).map(<[usize; 3]>::try_from) {
+        let axis = |letter: char| "xyzXYZ".find(letter).map(|place| (place % 3, place > 2));
+        let axes: Option<Vec<(usize, bool)>> = text.chars().map(axis).collect();
+        if let Some(Ok(order)) = axes.map(<[_; 3]>::try_from) {
             settings.order = order;
         } else {
-            let message = "`eulerseq` is three letters of `xyz`, or three of `XYZ`";
+            let message = "`eulerseq` is three letters of `xyzXYZ`";
             self.report::<()>(node, message);
         }
     }

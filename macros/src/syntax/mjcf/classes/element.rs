@@ -250,15 +250,12 @@ impl Reader<'_> {
                 return all;
             }
         } else {
-            let expected = if least == most {
-                format!("{least}")
-            } else {
-                format!("{least} to {most}")
+            let expected = match (least, most) {
+                (1, 1) => "is one number".to_owned(),
+                _ if least == most => format!("has {least} numbers with blanks between"),
+                _ => format!("has {least} to {most} numbers with blanks between"),
             };
-            let message = format!(
-                "`{name}` has {expected} numbers with blanks between, and this has {}",
-                found.len()
-            );
+            let message = format!("`{name}` {expected}, and this has {}", found.len());
             self.report::<()>(element.node, message);
         }
         let extent = self.at(element.node);

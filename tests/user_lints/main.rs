@@ -31,6 +31,33 @@ pub mod paths;
 pub mod scalars;
 pub mod systems;
 
+/// In a private module, what is public is not reachable: a description has no word for that.
+mod private {
+    newton_euler::rigid_body!(Stone {
+        motion: translation,
+        mass: 1[kg]
+    });
+    newton_euler::rigid_body!(Cart::<T> {
+        motion: planar,
+        params: [m = 2[kg]],
+        mass: m,
+        inertia: m * 1[m ^ 2]
+    });
+    newton_euler::rigid_system!(Door {
+        motion: planar,
+        params: [width = 0.8[m]],
+        inputs: [push[N * m]],
+        bodies: [leaf {
+            mass: 20[kg],
+            inertia: 20[kg] * width.powi(2) / 12,
+            points: [pin = (-width / 2, 0)]
+        }],
+        joints: [hinge = revolute(world(0, 0), leaf.pin)],
+        drives: [hand = push.on(hinge)],
+        outputs: [energy, reactions, linearization],
+    });
+}
+
 /// A body of each motion with all outputs, in modules without imports.
 pub mod motions {
     /// In space.
@@ -333,7 +360,14 @@ mod tests {
     use newton_euler::body::{Energy, RigidBody};
     use newton_euler::state::{PlanarTranslation, Spatial};
 
-    use super::motions;
+    use super::{motions, private};
+
+    #[test]
+    fn in_private_modules() {
+        let _ = private::Stone::default();
+        let (cart, door) = (private::Cart::<f64>::default(), private::Door::default());
+        assert!(cart.params().m > 0.0 && door.params().width > 0.0);
+    }
 
     #[test]
     fn units_are_folded() {

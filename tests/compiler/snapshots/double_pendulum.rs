@@ -13,6 +13,7 @@
 /// - the weight of each body: the ground accelerates against it instead
 /// - energy, momentum, balance, reactions, inverse, mass_matrix, jacobian: not in `outputs`
 #[derive(Clone, Debug, Default)]
+#[allow(unreachable_pub)]
 pub struct DoublePendulum {}
 ::newton_euler::private::system_state! {
     #[doc = " The state of [`DoublePendulum`]: the state of each joint."]

@@ -1,4 +1,4 @@
-#[allow(non_snake_case)]
+#[allow(non_snake_case, unreachable_pub)]
 mod equations_of_Glider {
     /// A body that swings about a point, braked, with the series of its motion.
     ///
@@ -291,5 +291,5 @@ mod equations_of_Glider {
         };
     }
 }
-#[allow(unused_imports)]
+#[allow(unused_imports, unreachable_pub)]
 pub use equations_of_Glider::{Glider, GliderParams};

@@ -1,4 +1,4 @@
-#[allow(non_snake_case)]
+#[allow(non_snake_case, unreachable_pub)]
 mod equations_of_Gyroscope {
     /// A heavy symmetric top, with the series of its motion in axes that do not spin with it.
     ///
@@ -281,5 +281,5 @@ mod equations_of_Gyroscope {
         };
     }
 }
-#[allow(unused_imports)]
+#[allow(unused_imports, unreachable_pub)]
 pub use equations_of_Gyroscope::{Gyroscope, GyroscopeParams};

@@ -1,4 +1,4 @@
-#[allow(non_snake_case)]
+#[allow(non_snake_case, unreachable_pub)]
 mod equations_of_Plank {
     /// A plank thrown in a vertical plane.
     ///
@@ -190,5 +190,5 @@ mod equations_of_Plank {
         };
     }
 }
-#[allow(unused_imports)]
+#[allow(unused_imports, unreachable_pub)]
 pub use equations_of_Plank::{Plank, PlankParams};

@@ -1,4 +1,4 @@
-#[allow(non_snake_case)]
+#[allow(non_snake_case, unreachable_pub)]
 mod equations_of_Quadrotor {
     /// A quadrotor in a plus configuration; rotors 1 and 3 spin about -z.
     ///
@@ -200,5 +200,5 @@ mod equations_of_Quadrotor {
         };
     }
 }
-#[allow(unused_imports)]
+#[allow(unused_imports, unreachable_pub)]
 pub use equations_of_Quadrotor::{Quadrotor, QuadrotorParams, QuadrotorInput};

@@ -18,6 +18,7 @@
 /// - attitude: the accelerations do not depend on it
 /// - energy, momentum: not in `outputs`
 #[derive(Clone, Debug, Default)]
+#[allow(unreachable_pub)]
 pub struct Satellite {}
 /// Inputs of [`Satellite`] at each evaluation, in SI units.
 #[allow(clippy::struct_field_names)]

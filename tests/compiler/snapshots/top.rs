@@ -1,4 +1,4 @@
-#[allow(non_snake_case)]
+#[allow(non_snake_case, unreachable_pub)]
 mod equations_of_Top {
     /// A heavy symmetric top, for any scalar.
     ///
@@ -194,5 +194,5 @@ mod equations_of_Top {
         }
     }
 }
-#[allow(unused_imports)]
+#[allow(unused_imports, unreachable_pub)]
 pub use equations_of_Top::{Top, TopParams};

@@ -1,4 +1,4 @@
-#[allow(non_snake_case)]
+#[allow(non_snake_case, unreachable_pub)]
 mod equations_of_Towed {
     /// A sledge on a rope that pulls with a constant force: its motion in closed form.
     ///
@@ -175,5 +175,5 @@ mod equations_of_Towed {
         };
     }
 }
-#[allow(unused_imports)]
+#[allow(unused_imports, unreachable_pub)]
 pub use equations_of_Towed::{Towed, TowedParams};

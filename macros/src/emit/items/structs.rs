@@ -74,6 +74,7 @@ pub fn emit_items(
     quote! {
         #lines
         #[derive(Clone, Debug, Default)]
+        #[allow(unreachable_pub)]
         pub struct #name #declared { #marker }
         #beside
         impl #declared #name #applied { #constants }
@@ -235,9 +236,9 @@ pub fn with_private_fields(outline: &Outline, items: TokenStream, added: &[Ident
     let records = records(outline).map(|record| record.name(outline));
     let others = others.chain(records).chain(added.iter().cloned());
     quote! {
-        #[allow(non_snake_case)]
+        #[allow(non_snake_case, unreachable_pub)]
         mod #module { #items }
-        #[allow(unused_imports)]
+        #[allow(unused_imports, unreachable_pub)]
         pub use #module::{#name, #(#others),*};
     }
 }

@@ -56,7 +56,7 @@ fn exponents_of_units_are_fractions_in_lowest_terms() {
     }
     assert_eq!(
         folded("8[mm ^ (1/3)].powi(3) * 1[1 / m]", "0"),
-        "[0.512,0.0].into()"
+        "::core::convert::Into::into([0.512,0.0])"
     );
 }
 
@@ -190,7 +190,11 @@ fn constants_fold_to_what_they_are() {
             "[-1.0,-0.985750425160377]",
         ),
     ] {
-        assert_eq!(folded(x, y), format!("{folded_to}.into()"), "{x}, {y}");
+        assert_eq!(
+            folded(x, y),
+            format!("::core::convert::Into::into({folded_to})"),
+            "{x}, {y}"
+        );
     }
 }
 
@@ -228,7 +232,7 @@ fn what_cancels() {
     ] {
         assert_eq!(
             force(value),
-            format!("[{folded_to},0.0].into()}}}}"),
+            format!("::core::convert::Into::into([{folded_to},0.0])}}}}"),
             "{value}"
         );
     }

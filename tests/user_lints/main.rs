@@ -27,23 +27,26 @@
 )]
 #![forbid(unsafe_code)]
 
+#[no_implicit_prelude]
 pub mod paths;
+#[no_implicit_prelude]
 pub mod scalars;
+#[no_implicit_prelude]
 pub mod systems;
 
 /// In a private module, what is public is not reachable: a description has no word for that.
 mod private {
-    newton_euler::rigid_body!(Stone {
+    ::newton_euler::rigid_body!(Stone {
         motion: translation,
         mass: 1[kg]
     });
-    newton_euler::rigid_body!(Cart::<T> {
+    ::newton_euler::rigid_body!(Cart::<T> {
         motion: planar,
         params: [m = 2[kg]],
         mass: m,
         inertia: m * 1[m ^ 2]
     });
-    newton_euler::rigid_system!(Door {
+    ::newton_euler::rigid_system!(Door {
         motion: planar,
         params: [width = 0.8[m]],
         inputs: [push[N * m]],
@@ -58,11 +61,12 @@ mod private {
     });
 }
 
-/// A body of each motion with all outputs, in modules without imports.
+/// A body of each motion with all outputs, in modules without imports and without the prelude.
+#[no_implicit_prelude]
 pub mod motions {
     /// In space.
     pub mod spatial {
-        newton_euler::rigid_body!(Craft {
+        ::newton_euler::rigid_body!(Craft {
             doc: "A craft.",
             motion: spatial,
             params: [m = 2.5[kg], xy = -0.12, tip = body(0.4, -0.2, 0.1)[m], k],
@@ -107,7 +111,7 @@ pub mod motions {
 
     /// In space, without parameters, inputs or loads.
     pub mod free {
-        newton_euler::rigid_body!(Stone {
+        ::newton_euler::rigid_body!(Stone {
             motion: spatial,
             mass: 123456789[g],
             inertia: principal(1, 2, 3),
@@ -117,7 +121,7 @@ pub mod motions {
 
     /// Short and similar names, comparisons and negations.
     pub mod words {
-        newton_euler::rigid_body!(Letters {
+        ::newton_euler::rigid_body!(Letters {
             motion: spatial,
             params: [
                 a = 1,
@@ -169,7 +173,7 @@ pub mod motions {
 
     /// The names of the first example.
     pub mod quadrotor {
-        newton_euler::rigid_body!(Quadrotor {
+        ::newton_euler::rigid_body!(Quadrotor {
             motion: spatial,
             params: [arm_front = 0.17[m], arm_back = 0.17[m], arm_left = 0.17[m]],
             inputs: [thrust_1[N], thrust_2[N], thrust_3[N], thrust_4[N]],
@@ -186,7 +190,7 @@ pub mod motions {
 
     /// About G.
     pub mod rotation {
-        newton_euler::rigid_body!(Gyroscope {
+        ::newton_euler::rigid_body!(Gyroscope {
             motion: rotation,
             params: [polar = 0.02],
             inputs: [twist = body(_, _, _)[N * m]],
@@ -205,7 +209,7 @@ pub mod motions {
 
     /// Without turning.
     pub mod translation {
-        newton_euler::rigid_body!(Ball {
+        ::newton_euler::rigid_body!(Ball {
             motion: translation,
             inputs: [wind = world(_, _, _)[m / s]],
             mass: 0.43[kg],
@@ -217,7 +221,7 @@ pub mod motions {
 
     /// In the plane.
     pub mod planar {
-        newton_euler::rigid_body!(Plate {
+        ::newton_euler::rigid_body!(Plate {
             motion: planar,
             params: [J = 0.3, tip = (0.5, 0.1)],
             inputs: [push = body(_, _)[N], turn[N * m]],
@@ -233,7 +237,7 @@ pub mod motions {
 
     /// Numbers near constants that std has names for.
     pub mod constants {
-        newton_euler::rigid_body!(Wave {
+        ::newton_euler::rigid_body!(Wave {
             motion: planar_translation,
             params: [height = 3.14159, depth = 2.718],
             mass: 1,
@@ -245,7 +249,7 @@ pub mod motions {
 
     /// On a pin, with a force named as in textbooks.
     pub mod pivot {
-        newton_euler::rigid_body!(Pendulum {
+        ::newton_euler::rigid_body!(Pendulum {
             motion: pivot(pin).at(world(0, height)),
             params: [length = 0.5[m], height[m]],
             mass: 2[kg],
@@ -259,7 +263,7 @@ pub mod motions {
 
     /// On its tip.
     pub mod fixed_point {
-        newton_euler::rigid_body!(Top {
+        ::newton_euler::rigid_body!(Top {
             motion: fixed_point(tip),
             mass: 0.4[kg],
             inertia: principal(7e-4, 7e-4, 9e-4)[kg * m ^ 2],
@@ -272,7 +276,7 @@ pub mod motions {
 
     /// On two bearings.
     pub mod fixed_axis {
-        newton_euler::rigid_body!(Rotor {
+        ::newton_euler::rigid_body!(Rotor {
             motion: fixed_axis(a, along),
             params: [along = body(1, 2, 2), gravity = world(_, _, _)[m / s ^ 2]],
             inputs: [torque],
@@ -295,7 +299,7 @@ pub mod motions {
 
     /// Under constraints.
     pub mod constrained {
-        newton_euler::rigid_body!(Sphere {
+        ::newton_euler::rigid_body!(Sphere {
             motion: spatial,
             params: [r, mu = 0.3],
             inputs: [push[N]],
@@ -317,7 +321,7 @@ pub mod motions {
 
     /// A rod.
     pub mod rod {
-        newton_euler::rigid_body!(Javelin {
+        ::newton_euler::rigid_body!(Javelin {
             motion: rod(body(1, slope, 0)),
             params: [slope = 0.5, l = 2[m], stiffness],
             inputs: [thrust[N], wind = world(_, _, _)[m / s]],
@@ -344,7 +348,7 @@ pub mod motions {
 
     /// In the plane, without turning.
     pub mod planar_translation {
-        newton_euler::rigid_body!(Puck {
+        ::newton_euler::rigid_body!(Puck {
             motion: planar_translation,
             params: [friction],
             mass: 0.17[kg],

@@ -2,7 +2,7 @@
 
 /// With series, recurrences of many kinds, and names that their code has.
 pub mod smooth {
-    newton_euler::rigid_body!(N {
+    ::newton_euler::rigid_body!(N {
         motion: fixed_point(n),
         params: [order = 0.3, series = 2],
         inputs: [rates, products],
@@ -34,7 +34,7 @@ pub mod smooth {
 
 /// With series in axes of their own.
 pub mod spun {
-    newton_euler::rigid_body!(Wheel {
+    ::newton_euler::rigid_body!(Wheel {
         motion: spatial,
         params: [spin = 0.2, axes = 0.3, time = 1],
         inputs: [series],
@@ -48,7 +48,7 @@ pub mod spun {
 
 /// With series that end, and without products.
 pub mod thrown {
-    newton_euler::rigid_body!(Stone {
+    ::newton_euler::rigid_body!(Stone {
         motion: translation,
         mass: 1[kg],
         fields: [weight = mass * world(0, 0, -9.80665[m / s ^ 2])],
@@ -58,7 +58,7 @@ pub mod thrown {
 
 /// Motions in closed form.
 pub mod flow {
-    newton_euler::rigid_body!(Brick {
+    ::newton_euler::rigid_body!(Brick {
         motion: spatial,
         mass: 2[kg],
         inertia: tensor {
@@ -72,19 +72,19 @@ pub mod flow {
         fields: [weight = mass * world(0, 0, -9.80665)],
         outputs: [flow],
     });
-    newton_euler::rigid_body!(Handle {
+    ::newton_euler::rigid_body!(Handle {
         motion: rotation,
         params: [J],
         inertia: principal(J, 2 * J, 2.5 * J),
         outputs: [flow, energy],
     });
-    newton_euler::rigid_body!(Drum {
+    ::newton_euler::rigid_body!(Drum {
         motion: fixed_point(G),
         mass: 1,
         inertia: cylinder(0.1, 0.5).along(body(1, 2, 3)),
         outputs: [flow],
     });
-    newton_euler::rigid_body!(Clock {
+    ::newton_euler::rigid_body!(Clock {
         motion: pivot(pin),
         params: [g = 9.8],
         mass: 2,
@@ -93,7 +93,7 @@ pub mod flow {
         fields: [weight = mass * world(0, -g)],
         outputs: [flow],
     });
-    newton_euler::rigid_body!(Towed {
+    ::newton_euler::rigid_body!(Towed {
         motion: planar,
         mass: 2,
         inertia: 1,
@@ -101,7 +101,7 @@ pub mod flow {
         forces: [rope = world(1, 0).at(hook)],
         outputs: [flow],
     });
-    newton_euler::rigid_body!(Baton {
+    ::newton_euler::rigid_body!(Baton {
         motion: rod(body(1, 0, 0)),
         mass: 2,
         inertia: 1,
@@ -111,7 +111,7 @@ pub mod flow {
 
 /// The same of systems.
 pub mod parts {
-    newton_euler::rigid_system!(Satellite {
+    ::newton_euler::rigid_system!(Satellite {
         params: [torque = 0.02],
         bodies: [
             hub {
@@ -138,7 +138,7 @@ pub mod parts {
         drives: [motor = torque.on(Self_)],
         outputs: [flow],
     });
-    newton_euler::rigid_system!(Generic::<T> {
+    ::newton_euler::rigid_system!(Generic::<T> {
         motion: planar,
         bodies: [
             plate {

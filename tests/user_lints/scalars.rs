@@ -2,7 +2,7 @@
 
 /// Generic over its scalar, with names that its own code has.
 pub mod generic {
-    newton_euler::rigid_body!(Craft::<Real> {
+    ::newton_euler::rigid_body!(Craft::<Real> {
         doc: "A craft.",
         motion: spatial,
         params: [
@@ -44,7 +44,7 @@ pub mod generic {
 
 /// Generic, without anything that could be left out.
 pub mod generic_stone {
-    newton_euler::rigid_body!(Other::<T> {
+    ::newton_euler::rigid_body!(Other::<T> {
         motion: rotation,
         inertia: principal(1, 2, 3),
     });
@@ -52,7 +52,7 @@ pub mod generic_stone {
 
 /// Generic, in the plane, with reactions and drives.
 pub mod generic_planar {
-    newton_euler::rigid_body!(Arm::<T> {
+    ::newton_euler::rigid_body!(Arm::<T> {
         motion: pivot(tip),
         params: [length = 0.5[m]],
         mass: 2[kg],

@@ -2,7 +2,7 @@
 
 /// In space.
 pub mod spatial {
-    newton_euler::rigid_system!(Satellite {
+    ::newton_euler::rigid_system!(Satellite {
         doc: "A satellite.",
         params: [m = 2.5[kg], J, reach = 0.3[m]],
         inputs: [torque_x[N * m], torque_y[N * m], torque_z[N * m]],
@@ -56,7 +56,7 @@ pub mod spatial {
 
 /// In the plane.
 pub mod planar {
-    newton_euler::rigid_system!(Arm {
+    ::newton_euler::rigid_system!(Arm {
         motion: planar,
         bodies: [
             arm_1 {
@@ -82,7 +82,7 @@ pub mod planar {
 
 /// Of any scalar.
 pub mod generic {
-    newton_euler::rigid_system!(Pair::<T> {
+    ::newton_euler::rigid_system!(Pair::<T> {
         params: [k = 3[N / m]],
         bodies: [
             A {
@@ -104,7 +104,7 @@ pub mod generic {
 
 /// What does not move by itself.
 pub mod still {
-    newton_euler::rigid_system!(Boom::<Real> {
+    ::newton_euler::rigid_system!(Boom::<Real> {
         doc: "A boom that turns as it is told.",
         params: [m = 2.5[kg], speed[rad / s]],
         inputs: [wind[N]],
@@ -129,7 +129,7 @@ pub mod still {
         outputs: [energy, momentum, reactions, balance],
     });
 
-    newton_euler::rigid_system!(Shelf {
+    ::newton_euler::rigid_system!(Shelf {
         doc: "A shelf.",
         motion: planar,
         bodies: [board {
@@ -142,7 +142,7 @@ pub mod still {
         outputs: [reactions, energy],
     });
 
-    newton_euler::rigid_system!(Crank::<R> {
+    ::newton_euler::rigid_system!(Crank::<R> {
         doc: "A crank with a motor that lags.",
         motion: planar,
         params: [lag = 0.1[s]],
@@ -163,7 +163,7 @@ pub mod still {
         outputs: [energy, reactions, taylor, linearization],
     });
 
-    newton_euler::rigid_body!(Bicycle {
+    ::newton_euler::rigid_body!(Bicycle {
         doc: "A body with states of its own.",
         motion: planar,
         inputs: [steer[rad]],
@@ -181,7 +181,7 @@ pub mod still {
 
 /// From a file, with names that are taken by the language, and inputs that move nothing.
 pub mod named {
-    newton_euler::rigid_system!(Named {
+    ::newton_euler::rigid_system!(Named {
         doc: "A system from a file.",
         mjcf: "tests/user_lints/named.xml",
         outputs: [energy, reactions, taylor, linearization],

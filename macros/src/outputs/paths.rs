@@ -56,9 +56,9 @@ impl Start<'_> {
             Rotation::Uniform(_) => {
                 let acceleration = values.next();
                 quote!(#private::Parabola {
-                    position: [#place.angle].into(),
-                    velocity: [#place.angular_velocity].into(),
-                    acceleration: [#acceleration].into(),
+                    position: ::core::convert::Into::into([#place.angle]),
+                    velocity: ::core::convert::Into::into([#place.angular_velocity]),
+                    acceleration: ::core::convert::Into::into([#acceleration]),
                 })
             }
             Rotation::Pendulum { .. } => {

@@ -119,8 +119,12 @@ mod equations_of_Glider {
             state: &::newton_euler::private::Rotation,
             _input: &(),
         ) -> ::newton_euler::private::Vector3<f64> {
-            let [qx, qy, qz, qw]: [f64; 4] = state.attitude.coords.into();
-            let [wx, wy, wz]: [f64; 3] = state.angular_velocity.into();
+            let [qx, qy, qz, qw]: [f64; 4] = ::core::convert::Into::into(
+                state.attitude.coords,
+            );
+            let [wx, wy, wz]: [f64; 3] = ::core::convert::Into::into(
+                state.angular_velocity,
+            );
             let norm = ::newton_euler::private::math::sqrt(wx * wx + wy * wy + wz * wz);
             /// rate at which w turns in the body: (J_1 - J_3) / J_1 w_3
             let precession = -0.25 * wy;
@@ -130,7 +134,7 @@ mod equations_of_Glider {
             let angular_y = 39.2266 * (qx * qz - qw * qy)
                 - self.from_drag_1 * (wy * norm);
             let angular_z = wx * precession - self.from_drag * (wz * norm);
-            [angular_x, angular_y, angular_z].into()
+            ::core::convert::Into::into([angular_x, angular_y, angular_z])
         }
     }
     impl ::newton_euler::private::Integrate for Glider {
@@ -155,8 +159,12 @@ mod equations_of_Glider {
                 COUNT,
             >,
         ) {
-            let [qx, qy, qz, qw]: [f64; 4] = state.attitude.coords.into();
-            let [wx, wy, wz]: [f64; 3] = state.angular_velocity.into();
+            let [qx, qy, qz, qw]: [f64; 4] = ::core::convert::Into::into(
+                state.attitude.coords,
+            );
+            let [wx, wy, wz]: [f64; 3] = ::core::convert::Into::into(
+                state.angular_velocity,
+            );
             let norm = ::newton_euler::private::math::sqrt(wx * wx + wy * wy + wz * wz);
             let ratio = 0.5 / norm;
             products

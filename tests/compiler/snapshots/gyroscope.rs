@@ -136,14 +136,18 @@ mod equations_of_Gyroscope {
             state: &::newton_euler::private::Rotation,
             _input: &(),
         ) -> ::newton_euler::private::Vector3<f64> {
-            let [qx, qy, qz, qw]: [f64; 4] = state.attitude.coords.into();
-            let [wx, wy, wz]: [f64; 3] = state.angular_velocity.into();
+            let [qx, qy, qz, qw]: [f64; 4] = ::core::convert::Into::into(
+                state.attitude.coords,
+            );
+            let [wx, wy, wz]: [f64; 3] = ::core::convert::Into::into(
+                state.angular_velocity,
+            );
             /// rate at which w turns in the body: (J_1 - J_3) / J_1 w_3
             let precession = self.coupling_x * wz;
             /// (1.4), body axes: w' = J^-1 (M - w x J w)
             let angular_x = wy * precession + self.from_across * (qy * qz + qw * qx);
             let angular_y = self.from_across_1 * (qx * qz - qw * qy) - wx * precession;
-            [angular_x, angular_y, 0.0].into()
+            ::core::convert::Into::into([angular_x, angular_y, 0.0])
         }
     }
     impl ::newton_euler::private::Integrate for Gyroscope {
@@ -160,7 +164,9 @@ mod equations_of_Gyroscope {
             time: f64,
             state: &::newton_euler::private::Rotation,
         ) -> ::newton_euler::private::Axes {
-            let [_, _, wz]: [f64; 3] = state.angular_velocity.into();
+            let [_, _, wz]: [f64; 3] = ::core::convert::Into::into(
+                state.angular_velocity,
+            );
             ::newton_euler::private::Axes::despun(
                 time,
                 [0.0, 0.0, 1.0],
@@ -181,8 +187,12 @@ mod equations_of_Gyroscope {
                 COUNT,
             >,
         ) {
-            let [qx, qy, qz, qw]: [f64; 4] = state.attitude.coords.into();
-            let [wx, wy, wz]: [f64; 3] = state.angular_velocity.into();
+            let [qx, qy, qz, qw]: [f64; 4] = ::core::convert::Into::into(
+                state.attitude.coords,
+            );
+            let [wx, wy, wz]: [f64; 3] = ::core::convert::Into::into(
+                state.angular_velocity,
+            );
             let wx_wz = wx * wz;
             let wy_wz = wy * wz;
             /// rate at which w turns in the body: (J_1 - J_3) / J_1 w_3

@@ -125,7 +125,7 @@ mod equations_of_Plank {
             _input: &(),
         ) -> ::newton_euler::private::PlanarAcceleration {
             ::newton_euler::private::PlanarAcceleration {
-                linear: [0.0, -9.80665].into(),
+                linear: ::core::convert::Into::into([0.0, -9.80665]),
                 angular: 0.0,
             }
         }
@@ -135,7 +135,7 @@ mod equations_of_Plank {
     }
     impl ::newton_euler::private::Energy for Plank {
         fn kinetic_energy(&self, state: &::newton_euler::private::Planar) -> f64 {
-            let [vx, vy]: [f64; 2] = state.velocity.into();
+            let [vx, vy]: [f64; 2] = ::core::convert::Into::into(state.velocity);
             let w = state.angular_velocity;
             2.0 * (vx * vx + vy * vy) + self.from_length * (w * w)
         }
@@ -145,7 +145,7 @@ mod equations_of_Plank {
             state: &::newton_euler::private::Planar,
             _input: &(),
         ) -> f64 {
-            let [_, y]: [f64; 2] = state.position.into();
+            let [_, y]: [f64; 2] = ::core::convert::Into::into(state.position);
             39.2266 * y
         }
     }
@@ -156,8 +156,8 @@ mod equations_of_Plank {
             &self,
             state: &::newton_euler::private::Planar,
         ) -> ::newton_euler::private::Vector2<f64> {
-            let [vx, vy]: [f64; 2] = state.velocity.into();
-            [4.0 * vx, 4.0 * vy].into()
+            let [vx, vy]: [f64; 2] = ::core::convert::Into::into(state.velocity);
+            ::core::convert::Into::into([4.0 * vx, 4.0 * vy])
         }
         fn angular_momentum(&self, state: &::newton_euler::private::Planar) -> f64 {
             let w = state.angular_velocity;

@@ -131,8 +131,12 @@ mod equations_of_Quadrotor {
             input: &QuadrotorInput,
         ) -> ::newton_euler::private::SpatialAcceleration {
             let QuadrotorInput { thrust_1, thrust_2, thrust_3, thrust_4 } = *input;
-            let [qx, qy, qz, qw]: [f64; 4] = state.attitude.coords.into();
-            let [wx, wy, wz]: [f64; 3] = state.angular_velocity.into();
+            let [qx, qy, qz, qw]: [f64; 4] = ::core::convert::Into::into(
+                state.attitude.coords,
+            );
+            let [wx, wy, wz]: [f64; 3] = ::core::convert::Into::into(
+                state.angular_velocity,
+            );
             let twist = thrust_1 - thrust_2 + thrust_3 - thrust_4;
             /// what is fixed in the body: sum of F / m, body axes
             let specific_force_z = 0.8333333333333334
@@ -153,8 +157,8 @@ mod equations_of_Quadrotor {
             let angular_y = self.from_arm * (thrust_3 - thrust_1) - wx * precession;
             let angular_z = self.from_drag_ratio * twist;
             ::newton_euler::private::SpatialAcceleration {
-                linear: [linear_x, linear_y, linear_z].into(),
-                angular: [angular_x, angular_y, angular_z].into(),
+                linear: ::core::convert::Into::into([linear_x, linear_y, linear_z]),
+                angular: ::core::convert::Into::into([angular_x, angular_y, angular_z]),
             }
         }
         #[cold]

@@ -64,8 +64,10 @@ impl ::newton_euler::private::RigidBody for Satellite {
         input: &SatelliteInput,
     ) -> ::newton_euler::private::Vector3<f64> {
         let SatelliteInput { torque } = *input;
-        let [torque_x, torque_y, torque_z]: [f64; 3] = torque.into();
-        let [wx, wy, wz]: [f64; 3] = state.angular_velocity.into();
+        let [torque_x, torque_y, torque_z]: [f64; 3] = ::core::convert::Into::into(
+            torque,
+        );
+        let [wx, wy, wz]: [f64; 3] = ::core::convert::Into::into(state.angular_velocity);
         /// (J - lambda 1) w, body axes
         let relative_momentum_x = 0.07 * wz - (0.8 * wx + 0.12 * wy);
         let minus_relative_momentum_y = 0.12 * wx + 0.4 * wy + 0.05 * wz;
@@ -84,7 +86,7 @@ impl ::newton_euler::private::RigidBody for Satellite {
             + 0.5924104677805748 * net_moment_y + 0.01230429432915509 * net_moment_z;
         let angular_z = 0.01230429432915509 * net_moment_y
             - 0.02456511058647571 * net_moment_x + 0.4773022725988148 * net_moment_z;
-        [angular_x, angular_y, angular_z].into()
+        ::core::convert::Into::into([angular_x, angular_y, angular_z])
     }
     #[cold]
     fn lost_load(
@@ -94,7 +96,9 @@ impl ::newton_euler::private::RigidBody for Satellite {
         input: &SatelliteInput,
     ) -> ::core::option::Option<&'static str> {
         let SatelliteInput { torque } = *input;
-        let [torque_x, torque_y, torque_z]: [f64; 3] = torque.into();
+        let [torque_x, torque_y, torque_z]: [f64; 3] = ::core::convert::Into::into(
+            torque,
+        );
         ::newton_euler::private::lost_load(
             &[("control", &[torque_x, torque_y, torque_z])],
         )
@@ -115,8 +119,12 @@ impl ::newton_euler::private::Balance for Satellite {
         input: &SatelliteInput,
     ) -> ::newton_euler::private::Vector3<f64> {
         let SatelliteInput { torque } = *input;
-        let [torque_x, torque_y, torque_z]: [f64; 3] = torque.into();
-        let [qx, qy, qz, qw]: [f64; 4] = state.attitude.coords.into();
+        let [torque_x, torque_y, torque_z]: [f64; 3] = ::core::convert::Into::into(
+            torque,
+        );
+        let [qx, qy, qz, qw]: [f64; 4] = ::core::convert::Into::into(
+            state.attitude.coords,
+        );
         let doubled_x = 2.0 * torque_x;
         let doubled_y = 2.0 * torque_y;
         let doubled_z = 2.0 * torque_z;
@@ -128,7 +136,7 @@ impl ::newton_euler::private::Balance for Satellite {
         let moment_x = qy * swing_z - qz * swing_y + qw * swing_x + torque_x;
         let moment_y = qz * swing_x - qx * swing_z + qw * swing_y + torque_y;
         let moment_z = qx * swing_y - qy * swing_x + qw * swing_z + torque_z;
-        [moment_x, moment_y, moment_z].into()
+        ::core::convert::Into::into([moment_x, moment_y, moment_z])
     }
     #[allow(unused_doc_comments)]
     fn residual(
@@ -140,10 +148,16 @@ impl ::newton_euler::private::Balance for Satellite {
         input: &SatelliteInput,
     ) -> ::newton_euler::private::Vector3<f64> {
         let SatelliteInput { torque } = *input;
-        let [torque_x, torque_y, torque_z]: [f64; 3] = torque.into();
-        let [qx, qy, qz, qw]: [f64; 4] = state.attitude.coords.into();
-        let [wx, wy, wz]: [f64; 3] = state.angular_velocity.into();
-        let [alpha_x, alpha_y, alpha_z]: [f64; 3] = (*acceleration).into();
+        let [torque_x, torque_y, torque_z]: [f64; 3] = ::core::convert::Into::into(
+            torque,
+        );
+        let [qx, qy, qz, qw]: [f64; 4] = ::core::convert::Into::into(
+            state.attitude.coords,
+        );
+        let [wx, wy, wz]: [f64; 3] = ::core::convert::Into::into(state.angular_velocity);
+        let [alpha_x, alpha_y, alpha_z]: [f64; 3] = ::core::convert::Into::into(
+            (*acceleration),
+        );
         /// J w, body axes
         let momentum_x = 1.3 * wx - 0.12 * wy + 0.07 * wz;
         let momentum_y = 1.7 * wy - 0.12 * wx - 0.05 * wz;
@@ -168,7 +182,7 @@ impl ::newton_euler::private::Balance for Satellite {
         let moment_x = qy * swing_z - qz * swing_y + qw * swing_x + turned_x;
         let moment_y = qz * swing_x - qx * swing_z + qw * swing_y + turned_y;
         let moment_z = qx * swing_y - qy * swing_x + qw * swing_z + turned_z;
-        [moment_x, moment_y, moment_z].into()
+        ::core::convert::Into::into([moment_x, moment_y, moment_z])
     }
     #[allow(unused_doc_comments)]
     fn loads(
@@ -178,8 +192,12 @@ impl ::newton_euler::private::Balance for Satellite {
         input: &SatelliteInput,
     ) -> [::newton_euler::private::Load; 1] {
         let SatelliteInput { torque } = *input;
-        let [torque_x, torque_y, torque_z]: [f64; 3] = torque.into();
-        let [qx, qy, qz, qw]: [f64; 4] = state.attitude.coords.into();
+        let [torque_x, torque_y, torque_z]: [f64; 3] = ::core::convert::Into::into(
+            torque,
+        );
+        let [qx, qy, qz, qw]: [f64; 4] = ::core::convert::Into::into(
+            state.attitude.coords,
+        );
         let doubled_x = 2.0 * torque_x;
         let doubled_y = 2.0 * torque_y;
         let doubled_z = 2.0 * torque_z;
@@ -191,14 +209,13 @@ impl ::newton_euler::private::Balance for Satellite {
             ::newton_euler::private::Load {
                 name: "control",
                 family: ::newton_euler::private::Family::External,
-                force: [0.0, 0.0, 0.0].into(),
-                point: [0.0, 0.0, 0.0].into(),
-                moment: [
+                force: ::core::convert::Into::into([0.0, 0.0, 0.0]),
+                point: ::core::convert::Into::into([0.0, 0.0, 0.0]),
+                moment: ::core::convert::Into::into([
                     qy * swing_z - qz * swing_y + qw * swing_x + torque_x,
                     qz * swing_x - qx * swing_z + qw * swing_y + torque_y,
                     qx * swing_y - qy * swing_x + qw * swing_z + torque_z,
-                ]
-                    .into(),
+                ]),
             },
         ]
     }

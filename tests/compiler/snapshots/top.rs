@@ -116,15 +116,19 @@ mod equations_of_Top {
             state: &::newton_euler::private::generic::Rotation<T>,
             _input: &(),
         ) -> ::newton_euler::private::Vector3<T> {
-            let [qx, qy, qz, qw]: [T; 4] = state.attitude.coords.into();
-            let [wx, wy, wz]: [T; 3] = state.angular_velocity.into();
+            let [qx, qy, qz, qw]: [T; 4] = ::core::convert::Into::into(
+                state.attitude.coords,
+            );
+            let [wx, wy, wz]: [T; 3] = ::core::convert::Into::into(
+                state.angular_velocity,
+            );
             let zero = state.angular_velocity.x.constant(0.0, 0.0);
             /// rate at which w turns in the body: (J_1 - J_3) / J_1 w_3
             let precession = self.coupling_x * wz;
             /// (1.4), body axes: w' = J^-1 (M - w x J w)
             let angular_x = wy * precession - self.from_length * (qy * qz + qw * qx);
             let angular_y = self.from_length * (qx * qz - qw * qy) - wx * precession;
-            [angular_x, angular_y, zero].into()
+            ::core::convert::Into::into([angular_x, angular_y, zero])
         }
     }
     impl ::newton_euler::private::Integrate for Top<f64> {

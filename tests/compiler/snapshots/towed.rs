@@ -124,7 +124,7 @@ mod equations_of_Towed {
             /// (1.4): w' = M / J
             let angular = -(self.from_pull * sine + self.from_pull_1 * cosine);
             ::newton_euler::private::PlanarAcceleration {
-                linear: [self.linear_x, 0.0].into(),
+                linear: ::core::convert::Into::into([self.linear_x, 0.0]),
                 angular: angular,
             }
         }
@@ -145,7 +145,7 @@ mod equations_of_Towed {
                 center: ::newton_euler::private::Parabola {
                     position: state.position,
                     velocity: state.velocity,
-                    acceleration: [self.linear_x, 0.0].into(),
+                    acceleration: ::core::convert::Into::into([self.linear_x, 0.0]),
                 },
                 rotation: ::newton_euler::private::Pendulum::new(
                     self.swing_rate,

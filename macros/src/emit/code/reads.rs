@@ -154,7 +154,7 @@ impl Block<'_> {
         tokens
     }
 
-    /// `let [pin_x, pin_y]: [f64; 2] = reactions.pin.into();`
+    /// `let [pin_x, pin_y]: [f64; 2] = Into::into(reactions.pin);`
     fn read_reactions(&mut self, symbols: &[(Id, Meaning)]) -> TokenStream {
         let mut tokens = TokenStream::new();
         for (index, (word, path, count)) in reactions(self.writer.outline).iter().enumerate() {
@@ -177,7 +177,7 @@ impl Block<'_> {
         tokens
     }
 
-    /// `let [x, _, z]: [f64; 3] = path.into();`, or `let angle = path;` for a scalar.
+    /// `let [x, _, z]: [f64; 3] = Into::into(path);`, or `let angle = path;` for a scalar.
     fn read_components(
         &mut self,
         found: &[(usize, Id)],
@@ -202,7 +202,7 @@ impl Block<'_> {
         }
         let count = Literal::usize_unsuffixed(names.len());
         let kind = self.writer.shapes.scalar.kind();
-        quote!(let [#(#pattern),*]: [#kind; #count] = #path.into();)
+        quote!(let [#(#pattern),*]: [#kind; #count] = ::core::convert::Into::into(#path);)
     }
 
     /// `let Params { arm, .. } = self.params;`, and the components of any vectors in it.

@@ -113,13 +113,12 @@ impl Shapes {
 
     /// A matrix, filled column by column.
     pub fn matrix(&self, [rows, columns]: [usize; 2], values: &mut Values<'_>) -> TokenStream {
-        let private = &self.private;
         let columns = (0..columns).map(|_| {
             let column = values.by_ref().take(rows);
             quote!([#(#column),*])
         });
         let columns: Vec<TokenStream> = columns.collect();
-        quote!(#private::SMatrix::from([#(#columns),*]))
+        quote!(::core::convert::Into::into([#(#columns),*]))
     }
 
     /// The components of a vector.
@@ -173,7 +172,7 @@ impl Shapes {
             if field.names.len() == 1 {
                 quote!(#(#parts)*)
             } else {
-                quote!([#(#parts),*].into())
+                quote!(::core::convert::Into::into([#(#parts),*]))
             }
         };
         let Some(kind) = shape.acceleration else {
@@ -227,7 +226,7 @@ impl Shapes {
 
     pub fn vector(&self, values: &mut Values<'_>) -> TokenStream {
         let components = values.take(self.motion.axes());
-        quote!([#(#components),*].into())
+        quote!(::core::convert::Into::into([#(#components),*]))
     }
 
     pub fn moment(&self, values: &mut Values<'_>) -> TokenStream {

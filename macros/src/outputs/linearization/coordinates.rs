@@ -133,7 +133,7 @@ fn components(outline: &Outline) -> (Vec<TokenStream>, Vec<TokenStream>, usize) 
             let axes = AXES[..size].iter().map(|axis| format_ident!("{axis}"));
             read.extend(axes.map(|axis| quote!(#given.#name.#axis)));
             let parts = (0..size).map(at);
-            written.push(quote!(#name: [#(#parts),*].into(),));
+            written.push(quote!(#name: ::core::convert::Into::into([#(#parts),*]),));
         } else {
             read.push(quote!(#given.#name));
             let part = at(0);

@@ -103,9 +103,9 @@ fn declared(site: &Site<'_>, name: &Ident, fields: &[(Ident, TokenStream)]) -> T
             }
 
             fn pace(&self, #time: f64) -> f64 {
-                [#(#private::Path::pace(&self.#names, #time)),*]
-                    .into_iter()
-                    .fold(f64::INFINITY, f64::min)
+                let paces = [#(#private::Path::pace(&self.#names, #time)),*];
+                let paces = ::core::iter::IntoIterator::into_iter(paces);
+                ::core::iter::Iterator::fold(paces, f64::INFINITY, f64::min)
             }
         }
     }

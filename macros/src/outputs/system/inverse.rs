@@ -113,7 +113,7 @@ impl Output<System> for Inverse {
                     if drives[drive].1 == 1 {
                         quote!(#(#parts)*)
                     } else {
-                        quote!([#(#parts),*].into())
+                        quote!(::core::convert::Into::into([#(#parts),*]))
                     }
                 })
             })

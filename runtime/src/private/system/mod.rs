@@ -179,7 +179,10 @@ macro_rules! __system_state {
                                     + $crate::private::system::freedoms::<$crate::private::$kind>()
                             },
                         >($crate::private::system::shifts::<$crate::private::$kind>());
-                            $crate::private::State::moved(&self.$field, &part.into())
+                            $crate::private::State::moved(
+                                &self.$field,
+                                &::core::convert::Into::into(part),
+                            )
                         },)+
                     }
                 }

@@ -449,7 +449,7 @@ fn a_root_of_a_rational_number_that_is_made_of_roots_is_the_root_of_that_number(
     let second = parse("0.2154") * root("1.059624");
     let squares = second.clone() * second + parse("0.0426") * parse("0.0426");
     let product = parse("0.3") * root("0.555524") * root("1.019624");
-    assert_eq!(of(Function::Sqrt, &[squares.clone()]), product);
+    assert_eq!(of(Function::Sqrt, std::slice::from_ref(&squares)), product);
     // prime factors of more than 16 bits, several or equal ones
     for (of, roots) in [
         ("130840949609", ["77201", "1694809", "1"]),

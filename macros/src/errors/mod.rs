@@ -115,7 +115,21 @@ impl Errors {
 
     /// Reports a name that nothing defines, once: it is one mistake, however often it is used.
     pub fn undefined<T>(&mut self, name: &Ident, advice: &str) -> Option<T> {
+        if name.to_string().starts_with("r#") {
+            return self.keyword(name, ", and no name here");
+        }
         let message = format!("nothing here is called `{name}`");
+        let is_it = |error: &syn::Error| error.to_string().starts_with(&message);
+        if self.found.iter().any(is_it) {
+            return None;
+        }
+        self.report(name.span(), format!("{message}{advice}"))
+    }
+
+    /// Reports a keyword where a name is wanted, once.
+    pub fn keyword<T>(&mut self, name: &Ident, advice: &str) -> Option<T> {
+        let word = name.to_string();
+        let message = format!("`{}` is a keyword of Rust", word.trim_start_matches("r#"));
         let is_it = |error: &syn::Error| error.to_string().starts_with(&message);
         if self.found.iter().any(is_it) {
             return None;

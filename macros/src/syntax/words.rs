@@ -47,14 +47,13 @@ pub fn check_name(name: &Ident, what: &str, errors: &mut Errors) -> Option<()> {
     let word = name.to_string();
     let message = if let Some(plain) = word.strip_prefix("r#") {
         if is_keyword(plain) {
-            format!("`{plain}` is a keyword of Rust: choose another name")
-        } else {
-            format!("write `{plain}`, without `r#`")
+            return errors.keyword(name, ": choose another name");
         }
+        format!("write `{plain}`, without `r#`")
     } else if word == "for" {
         "there are no loops: write each entry, and several bodies as `copies`".to_owned()
     } else if is_keyword(&word) {
-        format!("`{word}` is a keyword of Rust: choose another name")
+        return errors.keyword(name, ": choose another name");
     } else if word == "_" {
         format!("`_` is no name: expected {what}")
     } else {

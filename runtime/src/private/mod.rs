@@ -50,6 +50,17 @@ pub mod generic {
     pub use crate::state::generic::*;
 }
 
+/// A matrix, filled column by column.
+#[must_use]
+pub fn matrix<T, const ROWS: usize, const COLUMNS: usize>(
+    columns: [[T; ROWS]; COLUMNS],
+) -> SMatrix<T, ROWS, COLUMNS>
+where
+    T: nalgebra::Scalar,
+{
+    columns.into()
+}
+
 mod checks;
 pub mod order;
 mod path;

@@ -113,12 +113,13 @@ impl Shapes {
 
     /// A matrix, filled column by column.
     pub fn matrix(&self, [rows, columns]: [usize; 2], values: &mut Values<'_>) -> TokenStream {
+        let private = &self.private;
         let columns = (0..columns).map(|_| {
             let column = values.by_ref().take(rows);
             quote!([#(#column),*])
         });
         let columns: Vec<TokenStream> = columns.collect();
-        quote!(::core::convert::Into::into([#(#columns),*]))
+        quote!(#private::matrix([#(#columns),*]))
     }
 
     /// The components of a vector.

@@ -99,9 +99,7 @@ impl Lowering<'_> {
         let word = name.to_string();
         let message = match word.as_str() {
             "mass" => "this body has no mass: write `mass: ..`".to_owned(),
-            keyword if keyword.starts_with("r#") => {
-                format!("`{}` is a keyword of Rust, and no name here", &keyword[2..])
-            }
+            keyword if keyword.starts_with("r#") => return self.errors.undefined(name, ""),
             "ground" if !self.members.bodies.is_empty() => POINT_OF_GROUND.to_owned(),
             key if key_meant(key) == Some(key) => {
                 format!(

@@ -193,6 +193,9 @@ impl Lowering<'_> {
             "angular_acceleration",
             "mass",
         ];
+        if written.starts_with("r#") {
+            return self.errors.undefined(word, "");
+        }
         let name = &known.name;
         let is_unknown = known.motion.is_none() && of_state.contains(&written.as_str());
         if is_unknown && self.members.are_moving {

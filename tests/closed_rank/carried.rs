@@ -259,3 +259,96 @@ fn projection_ends_where_check_accepts() {
         assert!(state.one.angle.abs().max(state.two.angle.abs()) < 1e-12);
     }
 }
+
+/// The same linkage on a satellite, with one joint after another as the one that closes the loop.
+macro_rules! crank {
+    ($name:ident [$($joint:ident = $kind:expr),+]) => {
+        rigid_system!($name {
+            bodies: [
+                base {
+                    mass: 10[kg],
+                    inertia: principal(2, 3, 4)[kg * m ^ 2],
+                    points: [l = (-0.5, 0.1, 1), r = (0.5, 0, 1)],
+                    forces: [thrust = body(3, -1, 2).at(l)]
+                },
+                left {
+                    mass: 1[kg],
+                    inertia: principal(0.1, 0.12, 0.05)[kg * m ^ 2],
+                    points: [a = (0, 0.1, -0.5), b = (0, 0, 0.5)]
+                },
+                rung {
+                    mass: 2[kg],
+                    inertia: principal(0.05, 0.12, 0.13)[kg * m ^ 2],
+                    points: [a = (-0.5, 0, 0), b = (0.5, 0, 0)]
+                },
+                right {
+                    mass: 1.5[kg],
+                    inertia: principal(0.1, 0.12, 0.05)[kg * m ^ 2],
+                    points: [a = (0, 0, -0.5), b = (0, 0, 0.5)]
+                },
+            ],
+            joints: [flight = free(base), $($joint = $kind),+],
+            outputs: [reactions],
+        });
+    };
+}
+crank!(ByBall [
+    first = revolute(base.l, left.a, body(0, 1, 0)),
+    second = universal(left.b, rung.a, body(0, 0.6, 0.8), body(1, 0, 0)),
+    third = revolute(base.r, right.a, body(0.6, 0.8, 0)),
+    last = spherical(right.b, rung.b)
+]);
+crank!(ByUniversal [
+    first = revolute(base.l, left.a, body(0, 1, 0)),
+    third = revolute(base.r, right.a, body(0.6, 0.8, 0)),
+    last = spherical(right.b, rung.b),
+    second = universal(left.b, rung.a, body(0, 0.6, 0.8), body(1, 0, 0))
+]);
+crank!(ByHinge [
+    first = revolute(base.l, left.a, body(0, 1, 0)),
+    second = universal(left.b, rung.a, body(0, 0.6, 0.8), body(1, 0, 0)),
+    last = spherical(rung.b, right.b),
+    third = revolute(base.r, right.a, body(0.6, 0.8, 0))
+]);
+
+#[test]
+fn any_joint_of_a_loop_may_close_it() {
+    let mut next = numbers();
+    for _ in 0..10 {
+        let flight = flight(&mut next);
+        macro_rules! found {
+            ($name:ident $state:ident) => {{
+                let state = $state {
+                    flight,
+                    ..$state::default()
+                };
+                let body = $name::default();
+                body.check(0.0, &state, &()).unwrap();
+                let all = body.reactions(0.0, &state, &());
+                let acceleration = body.acceleration(0.0, &state, &()).flight;
+                let [first, second, third, last] = [all.first, all.second, all.third, all.last]
+                    .map(|wrench| [wrench.force, wrench.moment]);
+                (
+                    [first, second, third].concat(),
+                    last[0],
+                    [acceleration.linear, acceleration.angular],
+                )
+            }};
+        }
+        let ball = found!(ByBall ByBallState);
+        let universal = found!(ByUniversal ByUniversalState);
+        let mut hinge = found!(ByHinge ByHingeState);
+        // there, the ball holds the other body
+        hinge.1 = -hinge.1;
+        for other in [universal, hinge] {
+            let pairs = ball.0.iter().zip(&other.0);
+            let pairs = pairs.chain([(&ball.1, &other.1)]);
+            for (one, other) in pairs.chain(ball.2.iter().zip(&other.2)) {
+                assert!(
+                    (one - other).norm() < 1e-12 * (1.0 + one.norm()),
+                    "{one} {other}"
+                );
+            }
+        }
+    }
+}

@@ -107,3 +107,30 @@ fn samples_between_instants() {
         assert!((speed - expected).abs() < 1e-11, "{speed} for {expected}");
     }
 }
+
+/// The controller is called once for each whole period, whatever the rounding of times.
+#[test]
+fn an_end_is_no_instant() {
+    let cart = Cart::default();
+    for (start, period, way, count) in [
+        (0.0, 0.7, 2.1, 3),
+        (0.0, 0.1, 0.3, 3),
+        (5.0, 0.3, 2.1, 7),
+        (1e6, 0.1, 0.6, 6),
+        (0.0, 0.7, 2.1 + 1e-6, 4),
+        (0.0, 0.7, 2.1 - 1e-6, 3),
+    ] {
+        for end in [start + way, start - way] {
+            let mut asked = Vec::new();
+            let motion = cart
+                .integrate(&Translation::default())
+                .starting_at(start)
+                .control(period, |time, _| {
+                    asked.push(time);
+                    CartInput { push: 1.0 }
+                });
+            motion.to(end).unwrap();
+            assert_eq!(asked.len(), count, "{start} {period} {end}: {asked:?}");
+        }
+    }
+}

@@ -70,7 +70,8 @@ impl<F> Sampled<F> {
         }
     }
 
-    /// The function at an instant before an end, and the next instant.
+    /// The function at an instant before an end, and the next instant. The end is one of them,
+    /// despite rounding of their times.
     pub(crate) fn next(&mut self, time: f64, end: f64) -> (&mut F, f64) {
         if self.count == 0 {
             self.start = time;
@@ -78,7 +79,9 @@ impl<F> Sampled<F> {
         self.count += 1;
         let after = real(self.count) * self.period;
         let until = self.start + after * 1.0_f64.copysign(end - self.start);
-        (&mut self.function, until)
+        let rounding = 1e-12 * after + f64::EPSILON * (self.start.abs() + end.abs());
+        let is_end = (until - end).abs() <= rounding;
+        (&mut self.function, if is_end { end } else { until })
     }
 }
 

@@ -195,6 +195,16 @@ fn what_is_wrong_with_joints_is_said() {
     );
 }
 
+#[test]
+fn bodies_of_negative_mass_are_named() {
+    check(
+        &body("<geom size=\"0.1\" mass=\"-1\"/>"),
+        &[
+            "3, `<geom>` of body `a`: the mass of a body that moves is positive, and that of these parts together is -1",
+        ],
+    );
+}
+
 /// What is said of something beside the bodies, in one of its lines.
 fn check_beside(cases: &[(&str, &str)]) {
     for (inside, expected) in cases {

@@ -36,8 +36,9 @@ impl Lowering<'_> {
         match self.known(mass, defaults) {
             Some(number) if !number.is_positive() => {
                 let number = shown(&number);
+                let place = written.parts.first()?.as_ref()?.form.extent;
                 return self.report(
-                    written.word.span(),
+                    place.underlining(written.word.span()),
                     format!(
                         "the mass of a body that moves is positive, and that of these parts \
                          together is {number}"

@@ -6,4 +6,5 @@ mod change_points;
 mod cranks;
 mod doors;
 mod pins;
+mod projection;
 mod space;

@@ -99,15 +99,21 @@ fn label(labels: &mut Labels, closed: &Closed, couplings: &[Vec<Id>]) {
     }
 }
 
-/// Twice the kinetic energy, as below, with the rate of each rotation set to one and that of each
-/// slide to zero.
+/// Twice the kinetic energy, as below, with the rate of each rotation set to one, and that of each
+/// slide to the distance of its joint from the origin of the carrier.
 fn turn(work: &mut Workspace, equations: &SystemEquations, inertias: &[Id]) -> Id {
-    let freedoms = equations.built.tree.links.iter().flat_map(Link::open);
-    let turning = freedoms
-        .zip(inertias)
-        .filter(|(freedom, _)| !work.graph.is_zero_vector(&freedom.twist.angular));
-    let inertias: Vec<Id> = turning.map(|(_, inertia)| *inertia).collect();
-    let sum = work.graph.sum(&inertias);
+    let graph = &mut work.graph;
+    let links = equations.built.tree.links.iter();
+    let freedoms = links.flat_map(|link| link.open().map(move |freedom| (link, freedom)));
+    let parts = freedoms.zip(inertias).map(|((link, freedom), inertia)| {
+        if !graph.is_zero_vector(&freedom.twist.angular) {
+            return *inertia;
+        }
+        let square = graph.inner(&link.place, &link.place);
+        graph.multiply(*inertia, square)
+    });
+    let parts: Vec<Id> = parts.collect();
+    let sum = graph.sum(&parts);
     work.labels.name(sum, "turning_inertia");
     sum
 }

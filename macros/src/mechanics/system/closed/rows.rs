@@ -93,7 +93,7 @@ impl<'a> Known<'a> {
     }
 
     /// The force and moment of each joint that closes a loop, in world axes.
-    pub fn in_world(
+    pub fn wrenches_in_world(
         &self,
         graph: &mut Graph,
         wrenches: &[[Components; 2]],

@@ -64,7 +64,7 @@ pub fn close(
         push(&mut work.graph, loaded, own, ends, *wrench);
     }
     push_written(system, work, built, loaded, &loads);
-    let wrenches = known.in_world(&mut work.graph, &wrenches);
+    let wrenches = known.wrenches_in_world(&mut work.graph, &wrenches);
     let freedoms = 0..matrix.driving.len();
     let closed = Closed {
         kept: known.kept,
@@ -102,7 +102,7 @@ fn undetermined(
     for loads in spare {
         let mut tree = bare(&work.graph, known.built);
         push_written(system, work, known.built, &mut tree, &loads.1);
-        let closings = known.in_world(&mut work.graph, &loads.0);
+        let closings = known.wrenches_in_world(&mut work.graph, &loads.0);
         let spare = Spare::new(&mut work.graph, known, &tree, (closings, loads.1));
         undetermined.spare.push(spare);
     }

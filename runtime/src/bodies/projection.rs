@@ -185,7 +185,7 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
         }
         let mut values = [None; N];
         // sizes on the way may be those of a distant state, which say nothing here
-        let (mut here, mut off_here) = ([0.0_f64; N], 0.0_f64);
+        let (mut here, mut is_close) = ([0.0_f64; N], true);
         let mut worst = (0.0_f64, "", 0.0);
         // if all velocities have to vanish, what is left is large among its own terms
         let mut is_left = false;
@@ -195,7 +195,7 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
                 continue;
             };
             *here = size;
-            off_here = off_here.max(relative(value, size));
+            is_close &= relative(value, size) <= Inconsistent::TOLERANCE;
             *seen = seen.max(size);
             *kept = Some(value);
             is_left |= pace == Pace::Velocity && relative(value, size) > Inconsistent::ROUNDING;
@@ -209,7 +209,7 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
         }
         let is_last = step == steps;
         if worst.0.is_nan() || worst.0 > 0.5 * previous || is_last {
-            if off_here <= Inconsistent::TOLERANCE || is_rounding(&system, &values, &here) {
+            if is_close || is_rounding(&system, &values, &here) {
                 return assembled(&system, pace);
             }
             // far from the constraints, some steps overshoot

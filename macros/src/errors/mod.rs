@@ -115,22 +115,26 @@ impl Errors {
 
     /// Reports a name that nothing defines, once: it is one mistake, however often it is used.
     pub fn undefined<T>(&mut self, name: &Ident, advice: &str) -> Option<T> {
-        if name.to_string().starts_with("r#") {
-            return self.keyword(name, ", and no name here");
+        let word = name.to_string();
+        match word.strip_prefix("r#") {
+            None => self.once(name, &format!("nothing here is called `{name}`"), advice),
+            Some(plain) if syn::parse_str::<Ident>(plain).is_ok() => {
+                self.once(name, &format!("write `{plain}`, without `r#`"), "")
+            }
+            Some(_) => self.keyword(name, ", and no name here"),
         }
-        let message = format!("nothing here is called `{name}`");
-        let is_it = |error: &syn::Error| error.to_string().starts_with(&message);
-        if self.found.iter().any(is_it) {
-            return None;
-        }
-        self.report(name.span(), format!("{message}{advice}"))
     }
 
     /// Reports a keyword where a name is wanted, once.
     pub fn keyword<T>(&mut self, name: &Ident, advice: &str) -> Option<T> {
         let word = name.to_string();
-        let message = format!("`{}` is a keyword of Rust", word.trim_start_matches("r#"));
-        let is_it = |error: &syn::Error| error.to_string().starts_with(&message);
+        let plain = word.trim_start_matches("r#");
+        self.once(name, &format!("`{plain}` is a keyword of Rust"), advice)
+    }
+
+    /// Reports an error at a name, if no other one begins with this message.
+    fn once<T>(&mut self, name: &Ident, message: &str, advice: &str) -> Option<T> {
+        let is_it = |error: &syn::Error| error.to_string().starts_with(message);
         if self.found.iter().any(is_it) {
             return None;
         }

@@ -76,3 +76,48 @@ fn what_cannot_be_closed_is_an_error() {
         assert!(found.is_err(), "{state:?}");
     }
 }
+
+// the loop stands while the last body spins: its rates are rounding
+rigid_system!(Standing {
+    bodies: [
+        arm {
+            mass: 1[kg],
+            inertia: principal(0.1, 0.2, 0.25)[kg * m ^ 2],
+            points: [h = (0, 0.5, 0), end = (0.1, 0.2, 0.3)]
+        },
+        rotor {
+            mass: 1[kg],
+            inertia: principal(0.1, 0.2, 0.25)[kg * m ^ 2],
+            points: [h = (0, 0.5, 0)]
+        },
+    ],
+    joints: [
+        cross = universal(world(0.1, 0, 0), arm.h, world(0, 0.6, 0.8), world(1, 0, 0)),
+        spin = revolute(arm.end, rotor.h, body(1, 0, 0)),
+        plane = planar(world(0, 0.3, 0), rotor.h, world(0, 0.6, 0.8)),
+    ],
+});
+
+#[test]
+fn rounding_is_accepted_in_a_loop_that_stands() {
+    let body = Standing::default();
+    let mut next = numbers();
+    for scale in [1e-3, 0.3, 1e-9, 0.0].repeat(15) {
+        let mut next = || scale * next();
+        let mut state = StandingState::default();
+        (state.spin.angle, state.spin.angular_velocity) = (next(), next());
+        body.project(0.0, &mut state, &()).unwrap();
+        body.check(0.0, &state, &()).unwrap();
+        state.cross.angular_velocity_2 += 1e-9;
+        body.check(0.0, &state, &()).unwrap_err();
+    }
+}
+
+#[test]
+fn an_error_names_the_row_that_is_farthest_from_closed() {
+    let body = Contradiction::default();
+    let mut state = ContradictionState::default();
+    state.slide.position = 0.1;
+    let found = body.project(0.0, &mut state, &()).unwrap_err();
+    assert!(found.violation.abs() > 1e-3, "{found}");
+}

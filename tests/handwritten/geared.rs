@@ -85,6 +85,7 @@ impl Constrained for Geared {
                 shift: List([slope, 3.0, 0.0, 0.0]),
                 push: List([0.0, 0.0, slope, 3.0]),
                 coupling: [slope * slope + 9.0],
+                part: 0,
                 follows: false,
             }]
         })

@@ -152,7 +152,7 @@ fn write_check(writer: &Writer<'_>, kept: &Kept) -> Method {
     })
 }
 
-/// `[Row { name, position, facing, velocity, shift, push, coupling, follows }, ..]`
+/// `[Row { name, position, facing, velocity, shift, push, coupling, part, follows }, ..]`
 fn write_rows(writer: &Writer<'_>, kept: &Kept) -> Method {
     let (shapes, constraints) = (&writer.shapes, &kept.constraints);
     let values = |constraint: &Consistency| {
@@ -177,6 +177,7 @@ fn write_rows(writer: &Writer<'_>, kept: &Kept) -> Method {
     let mut rows = Method::write(writer, &outputs, |values| {
         let list = constraints.iter().map(|constraint| {
             let (name, follows) = (&constraint.name, constraint.follows);
+            let part = Literal::usize_unsuffixed(constraint.part);
             let position = optional(constraint.position.map(|_| pair(values)));
             let facing = facing(constraint, values);
             let velocity = pair(values);
@@ -196,6 +197,7 @@ fn write_rows(writer: &Writer<'_>, kept: &Kept) -> Method {
                     shift: #private::State::rate(&#fast, &::core::default::Default::default()),
                     push: #private::State::rate(&#still, &#acceleration),
                     coupling: [#(#coupling),*],
+                    part: #part,
                     follows: #follows,
                 }
             }

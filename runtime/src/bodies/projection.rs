@@ -35,6 +35,8 @@ pub struct Row<R, const N: usize> {
     pub push: R,
     /// Its row of `A M⁻¹ Aᵀ`.
     pub coupling: [f64; N],
+    /// A number that it shares with the rows of the same joint that have the same dimension.
+    pub part: usize,
     /// Whether it follows from the others in all states in which all hold.
     pub follows: bool,
 }
@@ -185,47 +187,48 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
         }
         let mut values = [None; N];
         // sizes on the way may be those of a distant state, which say nothing here
-        let (mut here, mut is_close) = ([0.0_f64; N], true);
-        let mut worst = (0.0_f64, "", 0.0);
+        let mut is_close = true;
+        let mut worst = 0.0_f64;
         // if all velocities have to vanish, what is left is large among its own terms
         let mut is_left = false;
-        let all = sizes.iter_mut().zip(&mut values).zip(&mut here);
-        for (row, ((seen, kept), here)) in system.iter().zip(all) {
+        let all = sizes.iter_mut().zip(&mut values);
+        for (row, (seen, kept)) in system.iter().zip(all) {
             let Some((value, size)) = measured(row) else {
                 continue;
             };
-            *here = size;
             is_close &= relative(value, size) <= Inconsistent::TOLERANCE;
             *seen = seen.max(size);
             *kept = Some(value);
             is_left |= pace == Pace::Velocity && relative(value, size) > Inconsistent::ROUNDING;
             let relative = relative(value, *seen);
-            if relative.is_nan() || relative > worst.0 {
-                worst = (relative, row.name, value);
+            if relative.is_nan() || relative > worst {
+                worst = relative;
             }
         }
-        if worst.0 <= 4.0 * f64::EPSILON && !is_left {
+        if worst <= 4.0 * f64::EPSILON && !is_left {
             return assembled(&system, pace);
         }
         let is_last = step == steps;
-        if worst.0.is_nan() || worst.0 > 0.5 * previous || is_last {
-            if is_close || is_rounding(&system, &values, &here) {
+        if worst.is_nan() || worst > 0.5 * previous || is_last {
+            if is_close || is_rounding(&system, &measured) {
                 return assembled(&system, pace);
             }
             // far from the constraints, some steps overshoot
             slow += 1;
-            if worst.0.is_nan() || slow > most || is_last {
+            if worst.is_nan() || slow > most || is_last {
+                let (constraint, violation) = farthest(&system, &values);
+                let is_velocity = pace == Pace::Velocity;
                 return Err(Inconsistent {
-                    constraint: worst.1,
-                    violation: worst.2,
-                    is_velocity: pace == Pace::Velocity,
+                    constraint,
+                    violation,
+                    is_velocity,
                     is_start: false,
                 });
             }
         }
-        previous = worst.0;
+        previous = worst;
         let damping = match pace {
-            Pace::Damped => worst.0.min(1.0),
+            Pace::Damped => worst.min(1.0),
             Pace::Near | Pace::Full | Pace::Velocity => 0.0,
         };
         let factors = solve(&system, values, damping);
@@ -240,7 +243,7 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
         };
         let moved = |share: f64| state.moved(&(correction * share));
         let mut next = moved(1.0);
-        if pace == Pace::Damped && worst.0 > Inconsistent::TOLERANCE {
+        if pace == Pace::Damped && worst > Inconsistent::TOLERANCE {
             let off = |state: &S| {
                 let rows = rows(state);
                 let values = rows.iter().zip(&sizes).filter_map(|(row, size)| {
@@ -250,7 +253,7 @@ fn newton<S: State<Scalar = f64>, const N: usize>(
                 values.fold(0.0, f64::max)
             };
             let mut share = 1.0;
-            while share > SHORTEST && off(&next) > (1.0 - 0.25 * share) * worst.0 {
+            while share > SHORTEST && off(&next) > (1.0 - 0.25 * share) * worst {
                 share *= 0.5;
                 next = moved(share);
             }
@@ -278,19 +281,37 @@ fn assembled<R, const N: usize>(system: &[Row<R, N>; N], pace: Pace) -> Result<(
 /// All terms of one row may vanish where those of another do not.
 fn is_rounding<R, const N: usize>(
     system: &[Row<R, N>; N],
-    values: &[Option<f64>; N],
-    sizes: &[f64; N],
+    measured: impl Fn(&Row<R, N>) -> Option<(f64, f64)>,
 ) -> bool {
     let natural = natural(system);
+    let rows = || {
+        let rows = system.iter().zip(natural);
+        rows.filter_map(|(row, natural)| Some((measured(row)?, natural)))
+    };
     // twice the kinetic energy, or the equivalent for positions, of a motion across one row alone
-    let across = |own: usize| sizes[own] * sizes[own] / natural[own];
-    let all = (0..N).filter(|own| natural[*own] > 0.0);
-    let most = all.map(across).fold(0.0, f64::max);
-    let allowed = |own: usize| Inconsistent::TOLERANCE * libm::sqrt(natural[own] * most);
-    let mut all = values.iter().enumerate();
-    all.all(|(own, value)| {
-        value.is_none_or(|value| value.is_finite() && value.abs() <= allowed(own))
+    let across = rows().filter(|(_, natural)| *natural > 0.0);
+    let across = across.map(|((_, size), natural)| size * size / natural);
+    let most = across.fold(0.0, f64::max);
+    rows().all(|((value, _), natural)| {
+        value.is_finite() && value.abs() <= Inconsistent::TOLERANCE * libm::sqrt(natural * most)
     })
+}
+
+/// The name and the value of the row that takes the largest displacement to satisfy alone; among
+/// rows that no displacement satisfies, of the largest value.
+fn farthest<R, const N: usize>(
+    system: &[Row<R, N>; N],
+    values: &[Option<f64>; N],
+) -> (&'static str, f64) {
+    let rows = system.iter().zip(values).zip(natural(system));
+    let rows = rows.filter_map(|((row, value), natural)| Some((row.name, (*value)?, natural)));
+    let measured = rows.filter(|(_, value, _)| *value != 0.0);
+    let measured = measured.map(|(name, value, natural)| (value * value / natural, name, value));
+    let farther = |a: &(f64, _, f64), b: &(f64, _, f64)| {
+        a.0.total_cmp(&b.0).then(a.2.abs().total_cmp(&b.2.abs()))
+    };
+    let farthest = measured.max_by(farther);
+    farthest.map_or(("", 0.0), |(_, name, value)| (name, value))
 }
 
 /// Typical couplings for rows of these sizes: a row may be flat where all hold.
@@ -315,7 +336,7 @@ fn natural<R, const N: usize>(system: &[Row<R, N>; N]) -> [f64; N] {
 const DEPENDENT: f64 = 1e-12;
 
 /// Solves `(A M⁻¹ Aᵀ + damping) λ = g` by elimination along the diagonal, which is positive; a row
-/// that depends on those before it in this state gets no load.
+/// that depends on others in this state gets no load.
 fn solve<R, const N: usize>(
     system: &[Row<R, N>; N],
     kept: [Option<f64>; N],
@@ -327,41 +348,61 @@ fn solve<R, const N: usize>(
         matrix[own][own] += damping * natural;
     }
     let mut values = kept.map(Option::unwrap_or_default);
-    let mut used = kept.map(|value| value.is_some());
-    eliminate(&mut matrix, &mut values, |pivot, divisor| {
-        used[pivot] &= divisor > DEPENDENT * natural[pivot];
-        used[pivot]
+    let (order, count) = eliminate(system, &mut matrix, &mut values, |pivot, divisor| {
+        kept[pivot].is_some() && divisor > DEPENDENT * natural[pivot]
     });
+    let order = &order[..count];
     let mut factors = [0.0; N];
-    for pivot in (0..N).rev().filter(|pivot| used[*pivot]) {
-        let known: f64 = (pivot + 1..N)
-            .map(|column| matrix[pivot][column] * factors[column])
-            .sum();
-        factors[pivot] = (values[pivot] - known) / matrix[pivot][pivot];
+    for (place, pivot) in order.iter().enumerate().rev() {
+        let row = &matrix[*pivot];
+        let later = order[place + 1..].iter();
+        let known: f64 = later.map(|column| row[*column] * factors[*column]).sum();
+        factors[*pivot] = (values[*pivot] - known) / row[*pivot];
     }
     factors
 }
 
-/// Subtracts each used row, given by its index and its divisor, from those after it.
-fn eliminate<const N: usize>(
+/// A row waits for the others if at most this fraction of the largest square among the rows of its
+/// joint remains: where it is flat, its value is the rounding error of others.
+const WEAK: f64 = 1e-12;
+
+/// Subtracts each row that `can_be_used`, given by its index and its divisor, from those that are
+/// left. Returns the used rows in their order, and their number.
+fn eliminate<R, const N: usize>(
+    system: &[Row<R, N>; N],
     matrix: &mut [[f64; N]; N],
     values: &mut [f64; N],
-    mut is_used: impl FnMut(usize, f64) -> bool,
-) {
-    for pivot in 0..N {
-        let divisor = matrix[pivot][pivot];
-        if !is_used(pivot, divisor) {
-            continue;
-        }
-        for row in pivot + 1..N {
-            let factor = matrix[row][pivot] / divisor;
-            let known = matrix[pivot];
-            for (entry, part) in matrix[row].iter_mut().zip(known) {
-                *entry -= factor * part;
+    can_be_used: impl Fn(usize, f64) -> bool,
+) -> ([usize; N], usize) {
+    let strongest: [f64; N] = core::array::from_fn(|own| {
+        let alike = system.iter().enumerate();
+        let alike = alike.filter(|(_, row)| row.part == system[own].part);
+        alike
+            .map(|(other, row)| row.coupling[other])
+            .fold(0.0, f64::max)
+    });
+    let (mut order, mut count) = ([0; N], 0);
+    let mut is_used = [false; N];
+    for least in [WEAK, 0.0] {
+        for pivot in 0..N {
+            let divisor = matrix[pivot][pivot];
+            let is_strong = divisor > least * strongest[pivot];
+            if is_used[pivot] || !is_strong || !can_be_used(pivot, divisor) {
+                continue;
             }
-            values[row] -= factor * values[pivot];
+            (order[count], is_used[pivot]) = (pivot, true);
+            count += 1;
+            for row in (0..N).filter(|row| !is_used[*row]) {
+                let factor = matrix[row][pivot] / divisor;
+                let known = matrix[pivot];
+                for (entry, part) in matrix[row].iter_mut().zip(known) {
+                    *entry -= factor * part;
+                }
+                values[row] -= factor * values[pivot];
+            }
         }
     }
+    (order, count)
 }
 
 /// The same fraction for the reason of a failure, which may occur just before: an angle of a
@@ -373,17 +414,15 @@ const NEARLY_DEPENDENT: f64 = 1e-6;
 pub fn dependent<R, const N: usize>(system: &[Row<R, N>; N]) -> Option<&'static str> {
     let mut matrix: [[f64; N]; N] = core::array::from_fn(|row| system[row].coupling);
     let natural = natural(system);
-    let mut is_new = [false; N];
-    eliminate(&mut matrix, &mut [0.0; N], |pivot, divisor| {
-        is_new[pivot] = divisor > NEARLY_DEPENDENT * natural[pivot];
-        is_new[pivot]
+    let (order, count) = eliminate(system, &mut matrix, &mut [0.0; N], |pivot, divisor| {
+        divisor > NEARLY_DEPENDENT * natural[pivot]
     });
-    let count = is_new.iter().filter(|is_new| **is_new).count();
     let expected = system.iter().filter(|row| !row.follows).count();
     if count >= expected {
         return None;
     }
-    let mut rows = system.iter().zip(is_new).filter(|(_, is_new)| !is_new);
-    let others = rows.clone().find(|(row, _)| !row.follows);
-    others.or_else(|| rows.next()).map(|(row, _)| row.name)
+    let rows = system.iter().enumerate();
+    let mut rows = rows.filter(|(own, _)| !order[..count].contains(own));
+    let others = rows.clone().find(|(_, row)| !row.follows);
+    others.or_else(|| rows.next()).map(|(_, row)| row.name)
 }

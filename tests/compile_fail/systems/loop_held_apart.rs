@@ -19,4 +19,17 @@ rigid_system!(Skewed {
     ],
 });
 
+rigid_system!(Carried {
+    motion: planar,
+    bodies: [
+        base { mass: 1[kg], inertia: 0.1[kg * m ^ 2], points: [left = (0, 0), right = (1, 0)[m]] },
+        arm { mass: 1[kg], inertia: 0.1[kg * m ^ 2], points: [pin = (-0.2, 0)[m]] },
+    ],
+    joints: [
+        float = free(base),
+        hinge = revolute(base.left, arm.pin),
+        again = revolute(base.right, arm.pin),
+    ],
+});
+
 fn main() {}

@@ -33,8 +33,9 @@ pub fn derive_system_consistency(
         let own = couplings[number][number];
         // a row that is flat where a linkage folds gets the tolerance of the other rows of its joint
         let part = parts[number];
-        let is_alike = |other: usize| part.is_some() && parts[other] == part;
-        let alike = (0..couplings.len()).filter(|other| is_alike(*other));
+        let is_alike = |other: &usize| *other == number || part.is_some() && parts[*other] == part;
+        let alike = (0..couplings.len()).filter(is_alike);
+        let first = alike.clone().next().unwrap_or(number);
         let largest = alike.fold(own, |largest, other| {
             graph.apply(Function::Max, &[largest, couplings[other][other]])
         });
@@ -59,6 +60,7 @@ pub fn derive_system_consistency(
                 .map(|freedom| directions[number][*freedom])
                 .collect(),
             coupling: couplings[number].clone(),
+            part: first,
             follows: closed.follows[number],
         };
         (consistency, reach(largest))

@@ -28,6 +28,8 @@ pub struct Consistency {
     pub direction: Vec<Id>,
     /// Its row of `S`.
     pub coupling: Vec<Id>,
+    /// A number that it shares with the rows of the same joint that have the same dimension.
+    pub part: usize,
     /// Whether it follows from the others wherever all of them hold.
     pub follows: bool,
 }
@@ -96,6 +98,7 @@ pub fn derive_consistency(
                 .concat()
             },
             coupling,
+            part: row,
             follows: false,
         }
     });

@@ -155,29 +155,53 @@ pub fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
     open.collect()
 }
 
+/// Whether no motion changes a distance that is not zero.
+fn is_held_apart(graph: &Graph, row: &ConstraintRow) -> bool {
+    let mut moves = row.slopes.iter().chain([&row.rate, &row.bias]);
+    let is_told = |value: Id| match graph.as_number(value) {
+        Some(number) => !number.is_undecided(),
+        None => graph.is_early(value),
+    };
+    moves.all(|part| graph.vanishes(*part)) && row.value.is_some_and(is_told)
+}
+
+/// The same for all rows of a joint in the plane together: a carrier that rotates turns their axes,
+/// and the sum of their squares stays.
+fn are_held_apart(graph: &mut Graph, rows: &[&ConstraintRow]) -> bool {
+    let mut slopes = rows.iter().flat_map(|row| &row.slopes);
+    if !slopes.all(|slope| graph.vanishes(*slope)) {
+        return false;
+    }
+    let measured = rows.iter().filter_map(|row| Some((row.value?, row.rate)));
+    let (values, rates): (Vec<Id>, Vec<Id>) = measured.unzip();
+    let change = graph.inner(&values, &rates);
+    graph.vanishes(change) && values.iter().any(|value| !graph.vanishes(*value))
+}
+
 /// Reports joints that close loops which no motion can close, because other joints hold both of their
 /// ends.
 pub fn check_closed(
     system: &System,
-    work: &Workspace,
+    work: &mut Workspace,
     kept: &[(Owner, ConstraintRow)],
     errors: &mut Errors,
 ) -> Option<()> {
-    let mut apart: Vec<usize> = Vec::new();
-    for (owner, row) in kept {
-        let Some((number, _)) = owner.joint_part(&work.graph) else {
-            continue;
-        };
-        let mut moves = row.slopes.iter().chain([&row.rate, &row.bias]);
-        let is_still = moves.all(|part| work.graph.vanishes(*part));
-        let is_told = |value: Id| match work.graph.as_number(value) {
-            Some(number) => !number.is_undecided(),
-            None => work.graph.is_early(value),
-        };
-        if is_still && row.value.is_some_and(is_told) && !apart.contains(&number) {
-            apart.push(number);
+    let parts = kept.iter().filter_map(|(owner, row)| {
+        let (number, _) = owner.joint_part(&work.graph)?;
+        Some((number, row))
+    });
+    let mut joints: Vec<(usize, Vec<&ConstraintRow>)> = Vec::new();
+    for (number, row) in parts {
+        match joints.last_mut() {
+            Some((last, rows)) if *last == number => rows.push(row),
+            _ => joints.push((number, vec![row])),
         }
     }
+    let graph = &mut work.graph;
+    let apart = joints.iter().filter(|(_, rows)| {
+        rows.iter().any(|row| is_held_apart(graph, row)) || are_held_apart(graph, rows)
+    });
+    let apart: Vec<usize> = apart.map(|(number, _)| *number).collect();
     for number in &apart {
         let joint = &system.closings[*number];
         let message = format!(

@@ -35,7 +35,7 @@ pub struct Row<R, const N: usize> {
     pub push: R,
     /// Its row of `A M⁻¹ Aᵀ`.
     pub coupling: [f64; N],
-    /// A number that it shares with the rows of the same joint that have the same dimension.
+    /// The index of the first row of the same joint that has the same dimension.
     pub part: usize,
     /// Whether it follows from the others in all states in which all hold.
     pub follows: bool,
@@ -374,19 +374,16 @@ fn eliminate<R, const N: usize>(
     values: &mut [f64; N],
     can_be_used: impl Fn(usize, f64) -> bool,
 ) -> ([usize; N], usize) {
-    let strongest: [f64; N] = core::array::from_fn(|own| {
-        let alike = system.iter().enumerate();
-        let alike = alike.filter(|(_, row)| row.part == system[own].part);
-        alike
-            .map(|(other, row)| row.coupling[other])
-            .fold(0.0, f64::max)
-    });
+    let mut strongest = [0.0_f64; N];
+    for (own, row) in system.iter().enumerate() {
+        strongest[row.part] = strongest[row.part].max(row.coupling[own]);
+    }
     let (mut order, mut count) = ([0; N], 0);
     let mut is_used = [false; N];
     for least in [WEAK, 0.0] {
         for pivot in 0..N {
             let divisor = matrix[pivot][pivot];
-            let is_strong = divisor > least * strongest[pivot];
+            let is_strong = divisor > least * strongest[system[pivot].part];
             if is_used[pivot] || !is_strong || !can_be_used(pivot, divisor) {
                 continue;
             }

@@ -28,7 +28,7 @@ pub struct Consistency {
     pub direction: Vec<Id>,
     /// Its row of `S`.
     pub coupling: Vec<Id>,
-    /// A number that it shares with the rows of the same joint that have the same dimension.
+    /// The index of the first row of the same joint that has the same dimension.
     pub part: usize,
     /// Whether it follows from the others wherever all of them hold.
     pub follows: bool,

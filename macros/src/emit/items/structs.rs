@@ -280,10 +280,11 @@ fn emit_default(outline: &Outline) -> Option<TokenStream> {
     })
 }
 
-/// Names that nothing refers to, written so that the compiler warns about them.
+/// Names that nothing refers to, written so that the compiler warns about them. Their type is one that
+/// no constant has: for a name of one letter, rustc would propose the constant `_` of the same type.
 pub fn emit_unused(outline: &Outline) -> Option<TokenStream> {
     let names = outline.unused.iter();
     let names = names.map(|name| Ident::new(&local_name(&name.to_string()), name.span()));
     let is_there = !outline.unused.is_empty();
-    is_there.then(|| quote!(const _: fn() = || { #(let #names = ();)* };))
+    is_there.then(|| quote!(const _: fn() = || { #(let #names = [(); 0];)* };))
 }

@@ -14,4 +14,24 @@ rigid_system!(Pair {
     outputs: [reactions],
 });
 
+// the loads of constraints of two bodies, or of a body and the system
+rigid_system!(Discs {
+    motion: planar,
+    bodies: [
+        disc {
+            mass: 2[kg],
+            inertia: 1[kg * m ^ 2],
+            constraints: [left_touches = position.in_world().y, rolling = velocity.in_world().x],
+        },
+        disc_left {
+            mass: 2[kg],
+            inertia: 1[kg * m ^ 2],
+            constraints: [touches = position.in_world().y],
+        },
+    ],
+    joints: [one = free(disc), other = free(disc_left)],
+    constraints: [disc_rolling = one.angle - other.angle],
+    outputs: [reactions],
+});
+
 fn main() {}

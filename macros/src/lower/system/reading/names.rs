@@ -8,7 +8,7 @@ use crate::errors::{Errors, silently};
 use crate::lower::definitions::check_distinct;
 use crate::lower::expressions::BUILT_IN;
 use crate::model::{Constraint, Outline};
-use crate::syntax::{self, Expression};
+use crate::syntax::{self, Expression, joined};
 
 /// The names of all bodies, followed by those of all joints.
 pub fn declared(system: &syntax::System) -> Vec<String> {
@@ -46,7 +46,8 @@ pub fn for_copy<T>(
     found
 }
 
-/// Reports ambiguous and built-in names of bodies and joints, and returns them.
+/// Reports ambiguous and built-in names of bodies and joints, and returns them. Constraints that have
+/// the same name are reported elsewhere.
 pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<String> {
     let mut repeated = HashSet::new();
     let top = &system.top;
@@ -62,11 +63,14 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
             errors.push(name.span(), message);
             repeated.insert(name.to_string());
         } else if let Some((_, first)) = seen.iter().find(|(other, _)| *other == name) {
+            repeated.insert(name.to_string());
+            if [*first, what] == ["constraint"; 2] {
+                continue;
+            }
             let message = format!(
                 "`{name}` is already the name of a {first}: params, inputs, states, locals, bodies and joints need different names"
             );
             errors.push(name.span(), message);
-            repeated.insert(name.to_string());
         } else {
             seen.push((name, what));
         }
@@ -95,8 +99,8 @@ pub fn check_driving(system: &syntax::System, outline: &mut Outline, errors: &mu
 }
 
 /// Reports loads of constraints that have the name of another field of the reactions, such as
-/// `pin_x` of a constraint `pin` if there is a joint `pin_x`. Constraints that have the same name
-/// themselves are reported elsewhere.
+/// `pin_x` of a constraint `pin` if there is a joint `pin_x`. Constraints of one list that have the same
+/// name themselves are reported elsewhere.
 pub fn check_loads(
     system: &syntax::System,
     outline: &Outline,
@@ -104,6 +108,16 @@ pub fn check_loads(
     errors: &mut Errors,
 ) {
     let is_own = |load: &Ident| system.top.constraints.iter().any(|one| one.name == *load);
+    let of_bodies = system.bodies.iter().map(|body| {
+        let written = body.constraints.iter();
+        written.map(|one| joined(&body.name, &one.name)).collect()
+    });
+    let of_top = system.top.constraints.iter().map(|one| one.name.clone());
+    let lists: Vec<Vec<Ident>> = of_bodies.chain([of_top.collect()]).collect();
+    let is_repeated = |place: &Ident| {
+        let times = |list: &Vec<Ident>| list.iter().filter(|name| *name == place).count();
+        lists.iter().any(|list| times(list) > 1)
+    };
     let all: Vec<_> = outline.kept.iter().zip(constraints).collect();
     for (number, (load, constraint)) in all.iter().enumerate() {
         let mut drives = outline.driving.iter().map(|(_, drive)| drive);
@@ -112,7 +126,9 @@ pub fn check_loads(
             "a joint"
         } else if drives.any(|drive| drive == *load) {
             "a drive"
-        } else if before.any(|(other, of)| other == load && of.place != constraint.place) {
+        } else if before.any(|(other, of)| {
+            other == load && !(of.place == constraint.place && is_repeated(&of.place))
+        }) {
             "another load"
         } else {
             continue;

@@ -3,6 +3,7 @@
 mod coordinates;
 mod emitted;
 mod matrices;
+mod names;
 mod output;
 mod sensitivity;
 

@@ -1,8 +1,6 @@
 //! `linearization`: the derivatives of the rates of a state with respect to state and input, in
 //! blocks.
 
-use proc_macro2::Ident;
-
 use crate::emit::code::Site;
 use crate::emit::items::Addition;
 use crate::lower::{LINEARIZATION, Offer};
@@ -15,6 +13,7 @@ use crate::outputs::subject::Subject;
 use super::coordinates::coordinated;
 use super::emitted::{Words, emitted};
 use super::matrices::{Placed, Space};
+use super::names::check_names;
 
 const OFFER: Offer = Offer {
     is_of_motion: true,
@@ -36,29 +35,7 @@ impl<S: Subject> Output<S> for Linearization {
     }
 
     fn derive(&mut self, basis: &mut Basis<'_, S>) -> Option<()> {
-        let groups = basis.outline.tangent();
-        let is_taken = |input: &Ident| groups.iter().any(|group| input == &group.name);
-        for state in &basis.outline.states {
-            let same = groups.iter().filter(|group| state.name == group.name);
-            if same.count() > 1 {
-                let name = &state.name;
-                let message = format!(
-                    "the motion has `{name}`, too, and the blocks of `linearization` go by these names: \
-                     rename the state"
-                );
-                basis.errors.push(name.span(), message);
-            }
-        }
-        for input in &basis.outline.inputs {
-            if is_taken(&input.name) {
-                let name = &input.name;
-                let message = format!(
-                    "the state has `{name}`, too, and the blocks of `linearization` go by these names: \
-                     rename the input"
-                );
-                basis.errors.push(name.span(), message);
-            }
-        }
+        check_names(basis.outline, basis.errors);
         let model = basis.model;
         let differentiated = model.differentiated(basis.work, basis.equations);
         let found = mechanics::linearize(basis.outline, model, basis.work, differentiated);

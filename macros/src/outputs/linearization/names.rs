@@ -1,0 +1,73 @@
+//! The names of states and inputs in a linearization: those of its blocks, and of their components.
+
+use std::collections::HashMap;
+
+use proc_macro2::Ident;
+
+use crate::errors::Errors;
+use crate::model::{AXES, Outline, Variable};
+
+/// A part of the state, or an input, with the names that it has in the linearization.
+struct Named<'o> {
+    /// What has a name that can be changed: a joint, a user-defined state, an input.
+    owner: Option<(&'o Ident, &'static str)>,
+    name: String,
+    is_vector: bool,
+}
+
+/// Reports names that two blocks or two components would share: `velocity_x` of an input, or
+/// `arm_angular_velocity` of a hinge `arm` and a slide `arm_angular`.
+pub fn check_names(outline: &Outline, errors: &mut Errors) {
+    let mut seen: HashMap<String, Option<(&Ident, &str)>> = HashMap::new();
+    for part in all(outline) {
+        let own = part.owner.map(|(owner, _)| owner);
+        let shared = part.names().into_iter().find_map(|name| {
+            let first = *seen.get(&name)?;
+            let is_other = first.map(|(owner, _)| owner) != own;
+            is_other.then_some((name, first))
+        });
+        if let (Some((name, first)), Some((owner, what))) = (shared, part.owner) {
+            let has = match first {
+                Some((first, other)) if other == what => format!("the {other} `{first}` has"),
+                _ if what == "input" => "the state has".to_owned(),
+                _ => "the motion has".to_owned(),
+            };
+            let message = format!(
+                "{has} `{name}`, too, and the blocks of `linearization` go by these names: rename the {what}"
+            );
+            errors.push(owner.span(), message);
+            continue;
+        }
+        for name in part.names() {
+            seen.insert(name, part.owner);
+        }
+    }
+}
+
+fn all(outline: &Outline) -> Vec<Named<'_>> {
+    let groups = outline.tangent().into_iter().map(|group| Named {
+        owner: match group.variable {
+            Variable::Own => Some((&outline.states[group.first].name, "state")),
+            _ if outline.is_system => Some((&outline.joints[group.joint].name, "joint")),
+            _ => None,
+        },
+        name: group.name,
+        is_vector: group.size > 1,
+    });
+    let inputs = outline.inputs.iter().map(|input| Named {
+        owner: Some((&input.name, "input")),
+        name: input.name.to_string(),
+        is_vector: input.frame.is_some(),
+    });
+    groups.chain(inputs).collect()
+}
+
+impl Named<'_> {
+    /// Its name, and those of its components. A vector in the plane has no component along z, but
+    /// `lift_z` would be taken for one of `lift`.
+    fn names(&self) -> Vec<String> {
+        let axes = if self.is_vector { &AXES[..] } else { &[] };
+        let parts = axes.iter().map(|axis| format!("{}_{axis}", self.name));
+        [self.name.clone()].into_iter().chain(parts).collect()
+    }
+}

@@ -116,3 +116,44 @@ fn all_that_runs_down_is_named() {
     let error = search.solve().err().unwrap();
     assert!(drifting(&error).is_empty(), "{error}");
 }
+
+rigid_body!(Ferry {
+    motion: planar_translation,
+    inputs: [push[N], push_x[N]],
+    states: [fuel[kg], fuel_x[kg]],
+    rates: [fuel = -0.1[kg / s], fuel_x = -0.2[kg / s]],
+    mass: 900[kg],
+    forces: [
+        propeller = world(push, 0),
+        thruster = world(0, push_x - 30[N])
+    ],
+    outputs: [linearization],
+});
+
+/// A scalar called as a component is: `push` is not all that begins with it.
+#[test]
+fn a_name_is_that_of_the_quantity_that_has_it() {
+    let (ferry, start) = (Ferry::default(), FerryState::default());
+    let search = ferry.trim(&start).free(["push"]);
+    let error = search.changing(["fuel", "fuel_x"]).solve().err().unwrap();
+    let text = error.to_string();
+    assert!(text.contains("free also `push_x`"), "{text}");
+    let search = ferry.trim(&start).free(["push_x"]).changing(["fuel"]);
+    let text = search.solve().err().unwrap().to_string();
+    assert!(text.contains("`.changing([\"fuel_x\"])`"), "{text}");
+    let search = ferry.trim(&start).free(["push_x"]);
+    let steady = search.changing(["fuel", "fuel_x"]).solve().unwrap();
+    assert!((steady.input.push_x - 30.0).abs() < 1e-12);
+    // a whole vector
+    let mut moving = start;
+    moving.motion.velocity = [3.0, 4.0].into();
+    let search = ferry.trim(&moving).free(["velocity", "push_x"]);
+    assert_eq!(
+        search
+            .changing(["fuel", "fuel_x"])
+            .solve()
+            .unwrap()
+            .undetermined,
+        2
+    );
+}

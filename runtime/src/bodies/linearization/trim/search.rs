@@ -104,9 +104,9 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         let inputs = <B::Linearization as Linearized<N, M>>::INPUTS;
         for name in names {
             let mut is_known = false;
-            let known = states.iter().chain(&inputs);
-            for (to, known) in self.newton.free.iter_mut().zip(known) {
-                if is_of(known, name) {
+            let which = are_of(states.iter().chain(&inputs), name);
+            for (to, is_free) in self.newton.free.iter_mut().zip(which) {
+                if is_free {
                     *to = 1.0;
                     is_known = true;
                 }
@@ -142,11 +142,14 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
     pub fn changing<const K: usize>(mut self, names: [&'static str; K]) -> Self {
         let states = <B::Linearization as Linearized<N, M>>::STATES;
         for name in names {
-            let rates = states.iter().enumerate().skip(B::PLACES.len());
             let mut is_known = false;
-            for (row, _) in rates.filter(|(_, known)| is_of(known, name)) {
-                self.newton.steady.changing[row] = true;
-                is_known = true;
+            let rates = are_of(states.iter().skip(B::PLACES.len()), name);
+            let rows = self.newton.steady.changing.iter_mut();
+            for (to, is_changing) in rows.skip(B::PLACES.len()).zip(rates) {
+                if is_changing {
+                    *to = true;
+                    is_known = true;
+                }
             }
             if !is_known {
                 self.unknown = self.unknown.or(Some(name));
@@ -278,8 +281,15 @@ fn trimmed<B: Coordinated<N, M>, const N: usize, const M: usize>(
     }
 }
 
-/// Whether a component is this quantity, or one of this vector.
-fn is_of(component: &str, name: &str) -> bool {
-    let rest = component.strip_prefix(name);
-    rest.is_some_and(|rest| matches!(rest, "" | "_x" | "_y" | "_z"))
+/// Which components are this quantity; if none has this name, which are those of this vector.
+fn are_of<'n>(
+    components: impl Iterator<Item = &'n &'static str> + Clone,
+    name: &'static str,
+) -> impl Iterator<Item = bool> {
+    let is_vector = components.clone().all(|component| *component != name);
+    components.map(move |component| match component.strip_prefix(name) {
+        Some("") => true,
+        Some("_x" | "_y" | "_z") => is_vector,
+        _ => false,
+    })
 }

@@ -11,6 +11,7 @@ use crate::syntax::tokens::{Entry, comma, is_punct, split, start, stream, withou
 use crate::syntax::words::{check_name, joined};
 use crate::syntax::{Definition, Description};
 
+use super::misplaced::no_pole;
 use super::{OF_SYSTEMS, System, no_choice_of_joints};
 
 /// Names that other programs and textbooks give to the ground.
@@ -119,9 +120,7 @@ impl System {
                 errors.push(key.span(), message);
                 self.lost.joints = true;
             } else if key == "pole" {
-                let message =
-                    "the balances of the bodies of a system are about G: leave `pole` out";
-                errors.push(key.span(), message);
+                no_pole(key, errors);
             } else if key == "reactions" {
                 let message = "what joints do to a body is an output of the system: leave `reactions` out, and write \
                                `outputs: [reactions]`";

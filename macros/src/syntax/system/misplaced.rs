@@ -9,6 +9,12 @@ use crate::syntax::{Declaration, Definition, Description, Motion, Written};
 
 use super::System;
 
+/// Reports that a system has no pole, in the braces of a body or beside them.
+pub(super) fn no_pole(key: &Ident, errors: &mut Errors) {
+    let message = "the balances of the bodies of a system are about G: leave `pole` out";
+    errors.push(key.span(), message);
+}
+
 /// Keys without which nothing is a body.
 const OF_ONE_BODY: [&str; 2] = ["mass", "inertia"];
 
@@ -20,6 +26,10 @@ impl System {
         entry: &[TokenTree],
         errors: &mut Errors,
     ) {
+        if key == "pole" {
+            no_pole(key, errors);
+            return;
+        }
         let message =
             format!("`{key}` belongs to a body: write it in the braces of one, in `bodies`");
         errors.push(key.span(), message);

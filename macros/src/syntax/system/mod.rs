@@ -284,7 +284,7 @@ impl System {
 }
 
 /// The list of a system for which a key of other programs, or an unknown one, is written: bodies are
-/// names with braces, and `links` may be joints.
+/// names with braces, and `links` or `cables` may stand for joints.
 fn list_like(word: &str, rest: &[TokenTree]) -> Option<&'static (&'static str, &'static str)> {
     let Some(TokenTree::Group(group)) = rest.last() else {
         return None;
@@ -294,7 +294,11 @@ fn list_like(word: &str, rest: &[TokenTree]) -> Option<&'static (&'static str, &
         (TokenTree::Ident(_), TokenTree::Group(body)) if body.delimiter() == Delimiter::Brace => {
             (key_meant(word) != Some(word)).then_some("bodies")?
         }
-        (TokenTree::Ident(_), equals) if is_punct(&equals, '=') && word == "links" => "joints",
+        (TokenTree::Ident(_), equals)
+            if is_punct(&equals, '=') && ["links", "cables", "ropes"].contains(&word) =>
+        {
+            "joints"
+        }
         _ => return None,
     };
     LISTS.iter().find(|(list, _)| *list == meant)

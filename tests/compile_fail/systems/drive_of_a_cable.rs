@@ -14,8 +14,9 @@ rigid_system!(Pendulum {
         shoulder = revolute(world(0, 0), upper.hinge),
         elbow = revolute(upper.tip, lower.hinge),
         rope = cable(upper.hinge, lower.G, 0.5[m], 20[N / m]),
+        strut = link(world(1, 0)[m], lower.G, 0.9[m]),
     ],
-    drives: [f = 2[N].on(rope)],
+    drives: [f = 2[N].on(rope), jack = 2[N].on(strut)],
     outputs: [reactions(rope)],
 });
 

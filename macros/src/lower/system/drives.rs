@@ -2,13 +2,14 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::{Errors, hint};
+use crate::errors::Errors;
 use crate::model::{Dimension, Field, JointKind, Load, Point, TreeJoint, Variable, Vector};
 use crate::symbolic::Id;
 use crate::syntax::{Definition, Expression, Kind, call};
 
 use super::between_bodies::{given, read_moment};
 use super::load_methods::{behind, behind_operand, report_operand};
+use super::reading::names::no_joint;
 use super::reading::reader::Reader;
 
 /// The joint and the coordinate in `elbow` or `gimbal.angle_1`.
@@ -315,12 +316,10 @@ impl Reader<'_> {
         if self.scope.is_lost(&name.to_string()) {
             return None;
         }
-        let names = self.members.joints.iter().map(|joint| joint.name.as_str());
-        let hint = hint(&name.to_string(), names);
         let message = if self.members.declared.contains(&name.to_string()) {
             format!("`{name}` is a body, and a drive acts on a joint")
         } else {
-            format!("there is no joint `{name}`{hint}")
+            no_joint(self.system, name)
         };
         errors.report(name.span(), message)
     }

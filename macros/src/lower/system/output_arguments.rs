@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::errors::{Errors, hint};
+use crate::errors::Errors;
 use crate::families::LoadKind;
 use crate::lower::expressions::Value;
 use crate::model::{Checks, Dimension, Frame, Meaning};
@@ -11,6 +11,7 @@ use crate::syntax::Expression;
 
 use super::joints::joint::{ReadJoint, first_name_of};
 use super::outline::name_of_point;
+use super::reading::names::no_joint;
 use super::reading::reader::Reader;
 
 impl Reader<'_> {
@@ -76,9 +77,7 @@ impl Reader<'_> {
                 let such = joint.map_or(String::new(), |one| format!(", such as `{}`", one.name));
                 format!("`{name}` is a body: reactions are those of joints{such}")
             } else {
-                let known: Vec<String> = names().map(ToString::to_string).collect();
-                let hint = hint(&name.to_string(), known.iter().map(String::as_str));
-                format!("there is no joint `{name}`{hint}")
+                no_joint(self.system, name)
             };
             errors.push(name.span(), message);
         }

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
-use crate::errors::{Errors, silently};
+use crate::errors::{Errors, hint, silently};
 use crate::lower::definitions::check_distinct;
 use crate::lower::expressions::BUILT_IN;
 use crate::model::{Constraint, Outline};
@@ -80,6 +80,21 @@ pub fn check_members(system: &syntax::System, errors: &mut Errors) -> HashSet<St
     let loads = lists.into_iter().flatten().chain(&top.potentials);
     check_distinct("load", fields.chain(loads.map(|load| &load.name)), errors);
     repeated
+}
+
+/// What to report of a name that stands where that of a joint is expected.
+pub fn no_joint(system: &syntax::System, name: &Ident) -> String {
+    let is_among = |list: &[syntax::Definition]| list.iter().any(|one| one.name == *name);
+    if is_among(&system.cables) {
+        return format!("`{name}` is a cable, not a joint");
+    }
+    if is_among(&system.top.constraints) {
+        return format!("`{name}` is a constraint, not a joint");
+    }
+    let names = system.joints.iter().map(|joint| joint.name.to_string());
+    let names: Vec<String> = names.collect();
+    let hint = hint(&name.to_string(), names.iter().map(String::as_str));
+    format!("there is no joint `{name}`{hint}")
 }
 
 /// Reports joints that have the name of the solved drive of another joint, because both would be

@@ -73,7 +73,7 @@ impl System {
     pub(super) fn read_file(&mut self, errors: &mut Errors) {
         let Some(mut file) = self.file.take() else {
             if let Some(first) = self.locked.first().filter(|_| !self.lost.joints) {
-                let message = "`locked` holds joints of a file, and there is no `urdf: \"..\"`";
+                let message = "`locked` holds joints of a file, and there is no `urdf: \"..\"` or `mjcf: \"..\"`";
                 errors.push(first.name.span(), message);
             }
             return;

@@ -129,7 +129,7 @@ impl Evidence<'_> {
     fn decide(&self, check: &Check, known: &Known, errors: &mut Errors) {
         let graph = &self.work.graph;
         let sides: Vec<Id> = check.claims.iter().flat_map(|claim| claim.sides).collect();
-        let needed = graph.reachable(&sides, |_| true);
+        let needed = graph.nodes_of(&sides);
         let answers = self
             .answers
             .iter()

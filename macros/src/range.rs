@@ -18,7 +18,7 @@ impl Constants<'_> {
         let (outline, defaults) = (self.outline, self.defaults);
         let graph = &mut work.graph;
         let early: Vec<Id> = graph
-            .reachable(roots, |id| !graph.is_early(id))
+            .reachable(roots, &|id| !graph.is_early(id))
             .into_iter()
             .filter(|id| graph.is_early(*id))
             .collect();
@@ -28,7 +28,7 @@ impl Constants<'_> {
             return;
         }
         let graph = &work.graph;
-        let parts = graph.reachable(&early, |_| true);
+        let parts = graph.nodes_of(&early);
         if parts.into_iter().any(|id| is_undecided(graph, id)) {
             errors.push(
             outline.name.span(),
@@ -74,7 +74,7 @@ impl Constants<'_> {
     fn report_division(&self, early: &[Id], work: &mut Workspace, errors: &mut Errors) -> bool {
         let (outline, defaults) = (self.outline, self.defaults);
         let graph = &mut work.graph;
-        let all = graph.reachable(early, |_| true);
+        let all = graph.nodes_of(early);
         let values = graph.substitute(&all, |id| defaults.get(&id).copied());
         let graph = &work.graph;
         let value = |id: Id| all.binary_search(&id).ok().map(|place| values[place]);
@@ -83,7 +83,7 @@ impl Constants<'_> {
         };
         let has_no_value = |id: Id| value(id).is_some_and(|value| graph.is_undefined(value));
         let lost = early.iter().copied().filter(|id| has_no_value(*id));
-        let way = graph.reachable(&lost.collect::<Vec<_>>(), has_no_value);
+        let way = graph.reachable(&lost.collect::<Vec<_>>(), &has_no_value);
         let mut divisors = way.into_iter().filter_map(|id| match *graph.node(id) {
             Node::Undefined => Some(None),
             Node::Divide(_, divisor) | Node::Pivot(divisor, _) if is_zero(divisor) => {

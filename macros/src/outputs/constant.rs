@@ -121,7 +121,7 @@ fn listed(names: &[String]) -> String {
 fn obstacles(work: &Workspace, outline: &Outline, roots: &[Id]) -> Vec<String> {
     let graph = &work.graph;
     let mut found: Vec<String> = Vec::new();
-    for id in graph.reachable(roots, |_| true) {
+    for id in graph.nodes_of(roots) {
         let what = match *graph.node(id) {
             Node::Unary(function, _) | Node::Binary(function, ..) => {
                 format!("in a `const fn` there is no `{}`", function.name())

@@ -33,7 +33,7 @@ fn check_slopes(
     errors: &mut Errors,
 ) -> Option<()> {
     let mut missing: Vec<Foreign> = Vec::new();
-    for id in work.graph.reachable(roots, |_| true) {
+    for id in work.graph.nodes_of(roots) {
         if let Node::Foreign(which, _) = *work.graph.node(id)
             && work.functions[which.number()].word(which).is_none()
             && !missing.contains(&which)

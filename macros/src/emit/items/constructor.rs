@@ -63,7 +63,7 @@ pub fn stored_fields(outline: &Outline, work: &Workspace, roots: &Roots) -> Fiel
 /// All parts of expressions, down to those that are known early, which are stored as a whole.
 fn reached(work: &Workspace, roots: &[Id]) -> Vec<Id> {
     let graph = &work.graph;
-    graph.reachable(roots, |id| !graph.is_early(id))
+    graph.reachable(roots, &|id| !graph.is_early(id))
 }
 
 /// The name of a field. A constant is named after the parameters that it is computed from.

@@ -66,7 +66,7 @@ impl Expansion {
 
         let graph = &writer.work.graph;
         let has_equality = |id: &Id| matches!(graph.node(*id), Node::Compare(..));
-        let roots = graph.reachable(&recurrences.roots(), |id| !graph.is_early(id));
+        let roots = graph.reachable(&recurrences.roots(), &|id| !graph.is_early(id));
         block.reads.push(Source::State);
         let method = Method {
             body: statements,
@@ -147,7 +147,7 @@ fn held(graph: &Graph, recurrences: &Recurrences) -> BTreeSet<Id> {
     let roots = of_each_order(recurrences);
     let mut moves = of_order(recurrences);
     let mut held = BTreeSet::new();
-    let order = graph.reachable(&roots, |id| !graph.is_early(id));
+    let order = graph.reachable(&roots, &|id| !graph.is_early(id));
     let read = recurrences.polynomials.iter();
     for (polynomial, _) in read.filter(|(_, next)| order.contains(next)) {
         let coefficients = polynomial.coefficients.iter().copied();

@@ -148,7 +148,7 @@ impl Lowering<'_> {
         let graph = &self.work.graph;
         let mut lacking: BTreeMap<usize, Level> = BTreeMap::new();
         for constraint in constraints {
-            for part in graph.reachable(&[constraint.value], |id| !graph.is_early(id)) {
+            for part in graph.reachable(&[constraint.value], &|id| !graph.is_early(id)) {
                 let Some(Meaning::Input(input, _)) = self.work.meaning(part) else {
                     continue;
                 };

@@ -19,7 +19,7 @@ impl Lowering<'_> {
     /// The symbols in `roots` that are not known early.
     pub fn late_symbols(&self, roots: &[Id]) -> Vec<Id> {
         let graph = &self.work.graph;
-        let symbols = graph.reachable(roots, |_| true).into_iter();
+        let symbols = graph.nodes_of(roots).into_iter();
         symbols
             .filter(|id| matches!(graph.node(*id), Node::Symbol(_)) && !graph.is_early(*id))
             .collect()

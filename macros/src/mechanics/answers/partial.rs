@@ -44,7 +44,7 @@ pub fn list_partial(
 fn is_partial(work: &Workspace, parts: &[Id]) -> bool {
     let graph = &work.graph;
     let (mut may_fail, mut is_given) = (false, true);
-    for id in graph.reachable(parts, |id| !graph.is_early(id)) {
+    for id in graph.reachable(parts, &|id| !graph.is_early(id)) {
         match graph.node(id) {
             Node::Symbol(symbol) => match work.meanings.of(*symbol) {
                 Meaning::Input(..) => may_fail = true,

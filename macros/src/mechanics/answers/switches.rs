@@ -72,7 +72,7 @@ pub fn derive_switches(
     roots: &[Id],
 ) -> Vec<Switch> {
     let graph = &work.graph;
-    let order = graph.reachable(roots, |id| !graph.is_early(id));
+    let order = graph.reachable(roots, &|id| !graph.is_early(id));
     if order.binary_search(&time).is_err() {
         return Vec::new();
     }

@@ -101,7 +101,7 @@ fn likely_axis(graph: &mut Graph, rows: &[Components; 3]) -> Option<Components> 
     let shares: Vec<Id> = shares.collect();
     let entries = rows.concat();
     let symbols: HashMap<Id, Id> = graph
-        .reachable(&entries, |_| true)
+        .nodes_of(&entries)
         .into_iter()
         .filter(|id| matches!(graph.node(*id), Node::Symbol(_)))
         .zip(shares)

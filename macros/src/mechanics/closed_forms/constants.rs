@@ -25,7 +25,7 @@ pub fn constants(work: &mut Workspace, roots: &[Id]) -> Option<Vec<Id>> {
 /// are zero, except those that are `kept`.
 pub fn at_rest(work: &mut Workspace, roots: &[Id], kept: impl Fn(Id) -> bool) -> Vec<Id> {
     let (zero, one) = (work.graph.zero(), work.graph.one());
-    let late = work.graph.reachable(roots, |id| !work.graph.is_early(id));
+    let late = work.graph.reachable(roots, &|id| !work.graph.is_early(id));
     let values = late.into_iter().filter_map(|id| match work.meaning(id)? {
         _ if work.graph.is_early(id) || kept(id) => None,
         Meaning::Of(_, Variable::Quaternion, 0) => Some((id, one)),

@@ -112,7 +112,7 @@ pub struct Contribution {
 pub fn dependence(work: &Workspace, roots: &[Id]) -> &'static str {
     let graph = &work.graph;
     let causes = graph
-        .reachable(roots, |_| true)
+        .nodes_of(roots)
         .into_iter()
         .filter_map(|id| cause(work.meaning(id)?));
     causes.min().map_or("the state", |(_, word)| word)

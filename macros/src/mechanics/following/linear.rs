@@ -96,7 +96,7 @@ pub fn unknowns_in(work: &Workspace, roots: &[Id]) -> Vec<Id> {
         Some(Meaning::Of(_, variable, _)) => variable.is_acceleration(),
         _ => false,
     };
-    let mut symbols = work.graph.reachable(roots, |_| true);
+    let mut symbols = work.graph.nodes_of(roots);
     symbols.retain(is_unknown);
     symbols
 }

@@ -182,7 +182,7 @@ fn skip_rotation(model: &Model, work: &mut Workspace, roots: &[Id], skipped: &mu
     }
     let turns = work.turned.clone();
     let graph = &mut work.graph;
-    let reachable = graph.reachable(roots, |_| true);
+    let reachable = graph.nodes_of(roots);
     let parts = [
         (Frame::WORLD, "columns", "body"),
         (model.state.body, "rows", "world"),
@@ -223,7 +223,7 @@ fn skip_mass(model: &Model, work: &Workspace, roots: &[Id], skipped: &mut Vec<St
         return;
     };
     let symbols = |roots: &[Id]| {
-        let mut symbols = graph.reachable(roots, |_| true);
+        let mut symbols = graph.nodes_of(roots);
         symbols.retain(|id| matches!(graph.node(*id), Node::Symbol(_)));
         symbols
     };

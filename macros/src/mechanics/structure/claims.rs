@@ -92,7 +92,7 @@ fn quantity(meaning: Meaning) -> Option<usize> {
 
 fn reads(work: &Workspace, roots: &[Id]) -> [bool; 7] {
     let mut reads = [false; 7];
-    for id in work.graph.reachable(roots, |_| true) {
+    for id in work.graph.nodes_of(roots) {
         if let Some(meaning) = work.meaning(id)
             && let Some(index) = quantity(meaning)
         {
@@ -182,7 +182,7 @@ fn stays_in_plane(
         .collect();
     let zero = work.graph.zero();
     let mut flat = HashMap::new();
-    for id in work.graph.reachable(&roots, |_| true) {
+    for id in work.graph.nodes_of(&roots) {
         if work.meaning(id).is_some_and(is_out_of_plane) {
             flat.insert(id, zero);
         }

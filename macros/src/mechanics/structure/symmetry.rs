@@ -180,7 +180,7 @@ fn axis_of_tensor(model: &Model, work: &mut Workspace) -> Option<[Number; 3]> {
 /// would count as unchanged: `atan(tan x) - x`, `x / |x|`.
 fn guards(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
     let mut guards = Vec::new();
-    for id in graph.reachable(roots, |_| true) {
+    for id in graph.nodes_of(roots) {
         match *graph.node(id) {
             Node::Compare(_, a, b) => guards.push(graph.subtract(a, b)),
             Node::Unary(function, a) if function.is_piecewise() => guards.push(a),

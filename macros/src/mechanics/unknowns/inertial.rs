@@ -50,7 +50,7 @@ pub fn acceleration_symbols(model: &Model, work: &Workspace) -> Vec<(Id, Variabl
     let state = &model.state;
     let mut roots = work.entries(&[state.acceleration]);
     roots.extend(state.angular_acceleration);
-    let known = work.graph.reachable(&roots, |_| true).into_iter();
+    let known = work.graph.nodes_of(&roots).into_iter();
     let symbols = known.filter_map(|id| match work.meaning(id)? {
         Meaning::Of(
             _,

@@ -281,7 +281,7 @@ pub fn expand(work: &mut Workspace, form: &Form, derived: &[Derived]) -> Vec<Der
 fn replace(work: &mut Workspace, roots: &[Id], values: &HashMap<Id, Id>) -> Vec<Id> {
     let labels = &work.labels;
     let graph = &mut work.graph;
-    let named = graph.reachable(roots, |_| true).into_iter();
+    let named = graph.nodes_of(roots).into_iter();
     let named: Vec<Id> = named.filter(|id| labels.get(*id).is_some()).collect();
     let all: Vec<Id> = roots.iter().copied().chain(named.iter().copied()).collect();
     let mut images = graph.substitute(&all, |id| values.get(&id).copied());

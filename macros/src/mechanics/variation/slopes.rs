@@ -86,7 +86,7 @@ impl Slopes {
     pub fn pass_on(&mut self, work: &mut Workspace, turn: &Turn, slope: Components) {
         // a vector that was rotated earlier is a leaf, too
         let is_leaf = |id: &Id| self.leaves.contains(id);
-        let reached = work.graph.reachable(&turn.vector, |id| !is_leaf(&id));
+        let reached = work.graph.reachable(&turn.vector, &|id| !is_leaf(&id));
         if reached.iter().any(is_leaf) {
             let back = work.turn(slope, turn.to, turn.from);
             let weighted: Vec<(Id, Id)> = turn.vector.into_iter().zip(back).collect();

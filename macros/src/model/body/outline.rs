@@ -94,7 +94,7 @@ impl Outline {
 
     /// The names of the parameters and of the user's constants that `roots` are computed from.
     pub fn sources(&self, work: &Workspace, roots: &[Id]) -> Vec<String> {
-        let symbols = work.graph.reachable(roots, |_| true).into_iter();
+        let symbols = work.graph.nodes_of(roots).into_iter();
         let names = symbols.filter_map(|symbol| match work.meaning(symbol)? {
             Meaning::Param(index, _) => Some(self.params[index].name.to_string()),
             Meaning::Constant(index) => Some(work.constants[index].name.to_string()),

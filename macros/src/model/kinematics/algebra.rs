@@ -107,7 +107,7 @@ impl Workspace {
 
     fn is_made_of(&self, whole: Id, part: Id) -> bool {
         // operands come before what is made of them
-        let inside = self.graph.reachable(&[whole], |id| id > part);
+        let inside = self.graph.reachable(&[whole], &|id| id > part);
         inside.contains(&part)
     }
 

@@ -197,7 +197,7 @@ impl Workspace {
             let meaning = self.meaning(*id);
             matches!(meaning, Some(Meaning::Of(_, variable, _)) if variable.is_acceleration())
         };
-        let mut symbols = self.graph.reachable(roots, |_| true);
+        let mut symbols = self.graph.nodes_of(roots);
         symbols.retain(is_one);
         symbols
     }

@@ -48,7 +48,7 @@ impl Output<Model> for Inverse {
             // divisors known early are checked in `new`
             let is_late = |id: Id| !graph.is_early(id);
             let late = graph
-                .reachable(&roots, is_late)
+                .reachable(&roots, &is_late)
                 .into_iter()
                 .filter(|id| is_late(*id));
             let mut nodes = late.map(|id| graph.node(id));

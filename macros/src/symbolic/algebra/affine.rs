@@ -19,7 +19,7 @@ impl Graph {
             return None;
         }
         let mut known: BTreeMap<Id, Affine> = BTreeMap::new();
-        for id in self.reachable(&[root], |id| !self.is_early(id)) {
+        for id in self.reachable(&[root], &|id| !self.is_early(id)) {
             let affine = self.affine_node(id, &known)?;
             known.insert(id, affine);
         }
@@ -36,7 +36,7 @@ impl Graph {
     /// of a rest without them.
     pub fn is_linear(&self, roots: &[Id], symbols: &[Id]) -> bool {
         let mut degrees: BTreeMap<Id, usize> = BTreeMap::new();
-        for id in self.reachable(roots, |_| true) {
+        for id in self.nodes_of(roots) {
             let degree = |a: &Id| degrees.get(a).copied().unwrap_or(0);
             let own = match self.node(id) {
                 Node::Symbol(_) => usize::from(symbols.contains(&id)),

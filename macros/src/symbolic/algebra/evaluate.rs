@@ -6,7 +6,7 @@ use crate::symbolic::number::Function;
 impl Graph {
     /// The values of `roots`, with the values of the symbols given by `symbol`.
     pub fn evaluate(&self, roots: &[Id], symbol: impl Fn(Id) -> f64) -> Vec<f64> {
-        let order = self.reachable(roots, |_| true);
+        let order = self.nodes_of(roots);
         let mut values = vec![f64::NAN; order.last().map_or(0, |last| last.index() + 1)];
         for id in order {
             let value = |operand: Id| values[operand.index()];

@@ -27,7 +27,7 @@ pub enum Exact {
 impl Graph {
     /// The values of `roots`, with those of the symbols given by `symbol`.
     pub fn exact(&self, roots: &[Id], symbol: impl Fn(Id) -> Option<Number>) -> Vec<Exact> {
-        let order = self.reachable(roots, |_| true);
+        let order = self.nodes_of(roots);
         let mut values = vec![Exact::Absent; order.last().map_or(0, |last| last.index() + 1)];
         for id in order {
             let value = |operand: Id| values[operand.index()].clone();

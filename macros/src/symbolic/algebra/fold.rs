@@ -9,7 +9,7 @@ impl Graph {
     pub fn folded(&mut self, roots: &[Id]) -> (Vec<Id>, Vec<(Id, Id)>) {
         let last = roots.iter().max().map_or(0, |last| last.index());
         let mut uses = vec![0_u32; last + 1];
-        let order = self.reachable(roots, |id| !self.is_early(id));
+        let order = self.reachable(roots, &|id| !self.is_early(id));
         for id in &order {
             for operand in self.node(*id).operands() {
                 uses[operand.index()] += 1;

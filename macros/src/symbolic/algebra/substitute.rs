@@ -21,7 +21,7 @@ impl Graph {
         roots: &[Id],
         make: impl Fn(&mut Self, Id, &dyn Fn(Id) -> Id) -> Id,
     ) -> Vec<Id> {
-        let order = self.reachable(roots, |_| true);
+        let order = self.nodes_of(roots);
         let images = self.images(&order, make);
         roots.iter().map(|root| images[root.index()]).collect()
     }

@@ -15,7 +15,7 @@ pub struct Tape<'a> {
 
 impl Graph {
     pub fn tape(&self, roots: &[Id]) -> Tape<'_> {
-        let order = self.reachable(roots, |_| true);
+        let order = self.nodes_of(roots);
         let mut place = vec![0; order.last().map_or(0, |last| last.index() + 1)];
         for (index, id) in order.iter().enumerate() {
             place[id.index()] = u32::try_from(index).unwrap_or(u32::MAX);

@@ -19,7 +19,7 @@ impl Graph {
     /// The changes of `roots`, given the changes of some expressions: `rate` gives them for
     /// symbols, and for expressions whose operands are not visited.
     pub fn change(&mut self, roots: &[Id], rate: impl Fn(Id) -> Option<Id>) -> Vec<Id> {
-        let order = self.reachable(roots, |id| rate(id).is_none());
+        let order = self.reachable(roots, &|id| rate(id).is_none());
         let mut changes = vec![None; order.last().map_or(0, |last| last.index() + 1)];
         for id in order {
             let change = rate(id).or_else(|| {

@@ -39,7 +39,7 @@ impl Graph {
     ) -> Vec<(Id, Id)> {
         let roots: Vec<Id> = weighted.iter().map(|(root, _)| *root).collect();
         let roots = self.invert_divisors(&roots, &is_leaf);
-        let order = self.reachable(&roots, |id| !is_leaf(id));
+        let order = self.reachable(&roots, &|id| !is_leaf(id));
         let size = order.last().map_or(0, |last| last.index() + 1);
         let mut sweep = Sweep {
             powers: vec![(self.zero(), 0); size],
@@ -153,7 +153,7 @@ impl Graph {
                 Node::Quantity(_) | Node::Multiply(..) | Node::Divide(..)
             )
         };
-        let order = self.reachable(&[id], is_factor);
+        let order = self.reachable(&[id], &is_factor);
         let mut powers: HashMap<Id, Power> = HashMap::new();
         for id in order {
             let power = self.power(id, |operand| powers[&operand]);

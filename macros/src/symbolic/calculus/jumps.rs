@@ -28,7 +28,7 @@ impl Graph {
     /// ends of tables that hold their last values give none: motions may end there.
     pub fn jumps(&mut self, roots: &[Id], time: Id) -> Vec<Jump> {
         let mut times: Vec<Number> = Vec::new();
-        for id in self.reachable(roots, |_| true) {
+        for id in self.nodes_of(roots) {
             for at in self.times(id, time) {
                 if at.is_positive() && !at.is_undecided() && !times.contains(&at) {
                     times.push(at);
@@ -56,7 +56,7 @@ impl Graph {
 
     /// Whether an expression is a product of numbers and symbols.
     pub fn is_product(&self, id: Id) -> bool {
-        let mut parts = self.reachable(&[id], |_| true).into_iter();
+        let mut parts = self.nodes_of(&[id]).into_iter();
         parts.all(|part| match *self.node(part) {
             Node::Number(ref number) => !number.is_zero() && !number.is_undecided(),
             Node::Symbol(_)
@@ -105,7 +105,7 @@ impl Graph {
 impl Side<'_> {
     /// The value of an expression on this side.
     fn value(&mut self, graph: &mut Graph, root: Id) -> Option<Id> {
-        for id in graph.reachable(&[root], |_| true) {
+        for id in graph.nodes_of(&[root]) {
             if !self.known.contains_key(&id) {
                 let value = self.of_node(graph, id);
                 self.known.insert(id, value);

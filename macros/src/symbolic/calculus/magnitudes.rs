@@ -12,7 +12,7 @@ impl Graph {
     /// Algorithms, 3.3). Divisors count as given, so that the size stays small where one vanishes;
     /// so do tables and foreign functions.
     pub fn magnitudes(&mut self, roots: &[Id]) -> Vec<Id> {
-        let order = self.reachable(roots, |_| true);
+        let order = self.nodes_of(roots);
         let mut sizes = vec![None; order.last().map_or(0, |last| last.index() + 1)];
         for id in order {
             let size = self.magnitude(id, |operand| sizes[operand.index()]);

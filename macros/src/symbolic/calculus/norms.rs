@@ -40,13 +40,13 @@ impl Graph {
 
     /// All factors of divisors.
     fn divisors(&self, roots: &[Id], is_leaf: impl Fn(Id) -> bool) -> HashSet<Id> {
-        let all = self.reachable(roots, |id| !is_leaf(id)).into_iter();
+        let all = self.reachable(roots, &|id| !is_leaf(id)).into_iter();
         let divisors = all.filter_map(|id| match *self.node(id) {
             Node::Divide(_, divisor) => Some(divisor),
             _ => None,
         });
         let divisors: Vec<Id> = divisors.collect();
         let is_product = |id: Id| matches!(self.node(id), Node::Quantity(_) | Node::Multiply(..));
-        self.reachable(&divisors, is_product).into_iter().collect()
+        self.reachable(&divisors, &is_product).into_iter().collect()
     }
 }

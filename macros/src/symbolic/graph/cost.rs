@@ -77,7 +77,7 @@ impl Graph {
     pub fn late_cost(&self, roots: &[Id]) -> Cost {
         let late = |id: Id| !self.is_early(id);
         let nodes: Vec<Id> = self
-            .reachable(roots, late)
+            .reachable(roots, &late)
             .into_iter()
             .filter(|id| late(*id))
             .collect();

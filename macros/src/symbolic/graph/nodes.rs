@@ -271,7 +271,7 @@ impl Graph {
 
     /// All nodes of `roots`, children first; `enter` says whether the operands of a node are
     /// visited.
-    pub fn reachable(&self, roots: &[Id], enter: impl Fn(Id) -> bool) -> Vec<Id> {
+    pub fn reachable(&self, roots: &[Id], enter: &dyn Fn(Id) -> bool) -> Vec<Id> {
         let mut pending = Pending::default();
         for root in roots {
             pending.insert(root.0);
@@ -289,10 +289,15 @@ impl Graph {
         found
     }
 
+    /// `roots` and all their operands, operands first.
+    pub fn nodes_of(&self, roots: &[Id]) -> Vec<Id> {
+        self.reachable(roots, &|_| true)
+    }
+
     /// Whether any of `roots` depends on a symbol that `is_of_interest`.
     pub fn depends_on(&self, roots: &[Id], is_of_interest: impl Fn(Id) -> bool) -> bool {
         let is_symbol = |id: &Id| matches!(self.node(*id), Node::Symbol(_));
-        self.reachable(roots, |_| true)
+        self.nodes_of(roots)
             .iter()
             .filter(|id| is_symbol(id))
             .any(|id| is_of_interest(*id))

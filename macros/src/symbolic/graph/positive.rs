@@ -60,7 +60,7 @@ impl Graph {
 
     fn sign(&self, a: Id, positive: &[Id]) -> Sign {
         let mut signs: HashMap<Id, Sign> = HashMap::new();
-        for id in self.reachable(&[a], |id| !matches!(self.node(id), Node::Positive(_))) {
+        for id in self.reachable(&[a], &|id| !matches!(self.node(id), Node::Positive(_))) {
             let known = |operand: Id| signs.get(&operand).copied().unwrap_or(Sign::Unknown);
             let sign = match self.node(id) {
                 _ if positive.contains(&id) => Sign::Positive,

@@ -38,7 +38,7 @@ impl Graph {
             )
         };
         let computed = |id: Id| !is_leaf(id) && (is_due(id) || is_condition(id));
-        let reached = self.reachable(outputs, computed);
+        let reached = self.reachable(outputs, &computed);
         let (nodes, rest): (Vec<Id>, Vec<Id>) = reached.into_iter().partition(|id| computed(*id));
         let (symbols, rest): (Vec<Id>, Vec<Id>) = rest
             .into_iter()

@@ -243,7 +243,7 @@ impl Graph {
     /// neither these symbols nor `values`, the symbols of sums.
     fn linear_in(&mut self, id: Id, symbols: &[Id], values: &HashSet<Id>) -> Option<Vec<(Id, Id)>> {
         let zero = self.zero();
-        let found = self.reachable(&[id], |_| true);
+        let found = self.nodes_of(&[id]);
         if found.iter().any(|id| values.contains(id)) {
             return None;
         }
@@ -254,7 +254,7 @@ impl Graph {
         let mut terms = Vec::new();
         for symbol in read {
             let weight = self.derivative(&[id], symbol)[0];
-            let of_weight = self.reachable(&[weight], |_| true);
+            let of_weight = self.nodes_of(&[weight]);
             if symbols.iter().any(|symbol| of_weight.contains(symbol)) {
                 return None;
             }
@@ -290,7 +290,7 @@ impl Graph {
         // the expressions that change from order to order, with the number of convolutions that
         // must precede them
         let mut levels: HashMap<Id, usize> = coefficients.chain(values).collect();
-        let order = self.reachable(roots, |_| true);
+        let order = self.nodes_of(roots);
         let readers = self.readers(&order, roots);
         let one = self.one();
         let mut found: BTreeMap<Id, Weighted> = BTreeMap::new();

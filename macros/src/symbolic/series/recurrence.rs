@@ -129,7 +129,7 @@ impl Graph {
     /// `roots`, written with operations that have a recurrence. Quantities are expanded, so that
     /// factors known early can be taken out of products.
     fn elementary(&mut self, roots: &[Id], symbols: &[Id]) -> Vec<Id> {
-        let order = self.reachable(roots, |_| true);
+        let order = self.nodes_of(roots);
         let moves = self.moving(&order, symbols);
         self.rebuild(roots, |graph, id, image| match *graph.node(id) {
             _ if graph.is_early(id) => id,

@@ -49,7 +49,7 @@ impl Graph {
     /// The conditions that decide between the sides of `roots`.
     pub fn conditions(&mut self, roots: &[Id]) -> Vec<Id> {
         let mut conditions = Vec::new();
-        for id in self.reachable(roots, |_| true) {
+        for id in self.nodes_of(roots) {
             conditions.extend(self.sides(id).map(|(condition, ..)| condition));
         }
         conditions.sort_unstable();

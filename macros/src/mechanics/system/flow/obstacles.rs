@@ -102,9 +102,9 @@ impl Obstacles<'_> {
     fn changing(&mut self, root: usize, accelerations: &[Id]) -> Option<String> {
         let loads = self.acting(root);
         let graph = &self.work.graph;
-        let known = graph.reachable(accelerations, |_| true);
+        let known = graph.nodes_of(accelerations);
         loads.into_iter().find_map(|(name, parts)| {
-            let symbols = graph.reachable(&parts, |_| true).into_iter();
+            let symbols = graph.nodes_of(&parts).into_iter();
             let mut late = symbols.filter(|id| !graph.is_early(*id));
             let acts = late.any(|id| self.work.meaning(id).is_some() && known.contains(&id));
             let word = dependence(self.work, &parts);

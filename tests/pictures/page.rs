@@ -188,3 +188,15 @@ fn short_motions_play() {
     assert!(page.contains("animation:b0 0.0002s linear"));
     assert!(page.contains("animation:k0 0.0002s linear"));
 }
+
+#[test]
+fn faces_that_are_not_finite_are_left_out() {
+    let samples = screw(3);
+    let page = Page::of(&samples)
+        .solid(Solid::cuboid([0.3, f64::NAN, 0.1]).and(Solid::ball(0.1)))
+        .solid(Solid::cylinder(f64::INFINITY, 1.0))
+        .to_string();
+    let page = page.replace("linear infinite", "");
+    assert!(!page.contains("NaN") && !page.contains("inf"));
+    assert!(page.contains("@keyframes b0"), "the ball is left");
+}

@@ -25,6 +25,9 @@ impl Description {
     }
 }
 
+/// The functions that take one number for each axis.
+const VECTORS: [&str; 3] = ["world", "body", "principal"];
+
 /// Whether most vectors in these expressions have components in the plane, or in space.
 pub fn most_are<'e>(written: impl Iterator<Item = &'e Expression>, is_planar: bool) -> bool {
     let (mut in_plane, mut in_space) = (0, 0);
@@ -32,7 +35,7 @@ pub fn most_are<'e>(written: impl Iterator<Item = &'e Expression>, is_planar: bo
         expression.visit(|part| {
             let count = match &part.kind {
                 Kind::Tuple(parts) => parts.len(),
-                Kind::Call(word, parts) if word == "world" || word == "body" => parts.len(),
+                Kind::Call(word, parts) if VECTORS.iter().any(|known| word == known) => parts.len(),
                 _ => 0,
             };
             in_plane += usize::from(count == 2);

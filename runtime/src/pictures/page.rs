@@ -6,6 +6,8 @@ use std::path::Path;
 use std::string::{String, ToString as _};
 use std::vec::Vec;
 
+use nalgebra::Vector3;
+
 use super::curve::UnknownColumn;
 use super::markup::{Escaped, short, style};
 use super::plot::Plot;
@@ -92,9 +94,12 @@ impl<'s, S> Page<'s, S> {
         }
     }
 
-    /// Adds a solid whose pose is a function of time and state, such as a body of a system.
+    /// Adds a solid whose pose is a function of time and state, such as a body of a system. Faces
+    /// with corners that are not finite are left out.
     #[must_use]
-    pub fn solid_at(mut self, solid: Solid, pose: impl Fn(f64, &S) -> Pose) -> Self {
+    pub fn solid_at(mut self, mut solid: Solid, pose: impl Fn(f64, &S) -> Pose) -> Self {
+        let is_finite = |corner: &Vector3<f64>| corner.iter().all(|part| part.is_finite());
+        solid.faces.retain(|face| face.iter().all(is_finite));
         let poses = self.samples.iter();
         let poses = poses.map(|sample| pose(sample.time, &sample.state));
         self.actors.push(Actor {

@@ -1,5 +1,7 @@
 //! The meanings of names of bodies and joints in a system: `upper.tip`, `elbow.angle`.
 
+use std::collections::HashSet;
+
 use proc_macro2::Ident;
 
 use crate::errors::{hint, name_meant};
@@ -221,6 +223,8 @@ impl Lowering<'_> {
             let points = points.chain(known.points.iter().map(|(name, _)| name.as_str()));
             let mut hint = hint_of_name(&written, points.clone().chain(of_state));
             if hint.is_empty() {
+                let mut seen = HashSet::new();
+                let points = points.filter(|point| seen.insert(*point));
                 let all: Vec<&str> = points.take(LISTED).collect();
                 hint = format!("; it has `{}`", all.join("`, `"));
             }

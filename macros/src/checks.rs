@@ -175,7 +175,7 @@ impl Evidence<'_> {
                 return Some(self.lacking(&all));
             }
             _ if found.iter().any(|one| matches!(one, Exact::Absent)) => {
-                let message = "has no value in this state: something is divided by zero, or outside of the domain of its function, or \
+                let message = "has no value in this state: something is divided by zero, outside of the domain of its function, too large for a number, or \
                  a load that the balances do not determine";
                 return Some(message.to_owned());
             }

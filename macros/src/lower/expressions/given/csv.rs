@@ -102,7 +102,7 @@ impl<'t> File<'t> {
         let message = match count {
             2 => return Some(1),
             1 => format!(
-                "`{}` has one column: a table has places and values",
+                "`{}` has one column: a table has grid points and values",
                 self.name
             ),
             _ => {
@@ -122,7 +122,7 @@ impl<'t> File<'t> {
     pub fn grid(mut self, errors: &mut Errors) -> Option<Grid> {
         if self.rows[0].cells.len() < 3 {
             let message = format!(
-                "`{}` needs two columns of values after the places",
+                "`{}` needs two columns of values after the grid points",
                 self.name
             );
             return errors.report(self.place, message);
@@ -171,7 +171,7 @@ impl<'t> File<'t> {
             None => Some(column),
             Some(place) => errors.report(
                 place,
-                "the places of a table must increase, and this one does not exceed the one before it",
+                "the grid points of a table must increase, and this one does not exceed the one before it",
             ),
         }
     }

@@ -179,7 +179,7 @@ impl Lowering<'_> {
         };
         if lists.len() != rows.numbers.len() {
             let message = format!(
-                "a list of values for each of {} places, and these are {}",
+                "a list of values for each of {} grid points, and these are {}",
                 rows.numbers.len(),
                 lists.len()
             );
@@ -276,7 +276,7 @@ impl Lowering<'_> {
         if let Some(place) = column.first_back() {
             return self.report(
                 place,
-                "the places of a table must increase, and this one does not exceed the one before it",
+                "the grid points of a table must increase, and this one does not exceed the one before it",
             );
         }
         Some(column)

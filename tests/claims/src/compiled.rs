@@ -69,7 +69,7 @@ impl Compiled {
     pub fn has_no_pivot(&self, body: &Body, given: &Given) -> bool {
         let graph = &self.work.graph;
         let roots: Vec<Id> = self.accelerations();
-        let pivots = graph.reachable(&roots, |_| true).into_iter();
+        let pivots = graph.nodes_of(&roots).into_iter();
         let parts: Vec<Id> = pivots
             .filter_map(|id| match *graph.node(id) {
                 Node::Pivot(divisor, scale) => Some([divisor, scale]),

@@ -245,7 +245,7 @@ impl Compiled {
     pub fn values(&self, roots: &[Id], given: &Given<'_>) -> Vec<Wide> {
         let known = self.symbols(given);
         let graph = &self.work.graph;
-        let order = graph.reachable(roots, |_| true);
+        let order = graph.nodes_of(roots);
         let end = order.last().map_or(0, |last| last.index() + 1);
         let mut values = vec![Wide::from(f64::NAN); end];
         for id in order {

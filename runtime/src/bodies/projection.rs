@@ -348,16 +348,18 @@ fn solve<R, const N: usize>(
         matrix[own][own] += damping * natural;
     }
     let mut values = kept.map(Option::unwrap_or_default);
-    let (order, count) = eliminate(system, &mut matrix, &mut values, |pivot, divisor| {
+    let places = eliminate(system, &mut matrix, &mut values, |pivot, divisor| {
         kept[pivot].is_some() && divisor > DEPENDENT * natural[pivot]
     });
-    let order = &order[..count];
     let mut factors = [0.0; N];
-    for (place, pivot) in order.iter().enumerate().rev() {
-        let row = &matrix[*pivot];
-        let later = order[place + 1..].iter();
-        let known: f64 = later.map(|column| row[*column] * factors[*column]).sum();
-        factors[*pivot] = (values[*pivot] - known) / row[*pivot];
+    for place in (1..=N).rev() {
+        for pivot in (0..N).filter(|row| places[*row] == place) {
+            let later = (0..N).filter(|column| places[*column] > place);
+            let known: f64 = later
+                .map(|column| matrix[pivot][column] * factors[column])
+                .sum();
+            factors[pivot] = (values[pivot] - known) / matrix[pivot][pivot];
+        }
     }
     factors
 }
@@ -367,31 +369,32 @@ fn solve<R, const N: usize>(
 const WEAK: f64 = 1e-12;
 
 /// Subtracts each row that `can_be_used`, given by its index and its divisor, from those that are
-/// left. Returns the used rows in their order, and their number.
+/// left. Returns the place of each row in the order of their use, from one; zero if it is not used.
 fn eliminate<R, const N: usize>(
     system: &[Row<R, N>; N],
     matrix: &mut [[f64; N]; N],
     values: &mut [f64; N],
     can_be_used: impl Fn(usize, f64) -> bool,
-) -> ([usize; N], usize) {
-    let mut strongest = [0.0_f64; N];
-    for (own, row) in system.iter().enumerate() {
-        strongest[row.part] = strongest[row.part].max(row.coupling[own]);
-    }
-    let (mut order, mut count) = ([0; N], 0);
-    let mut is_used = [false; N];
+) -> [usize; N] {
+    let strongest: [f64; N] = core::array::from_fn(|own| {
+        let alike = (0..N).filter(|other| system[*other].part == system[own].part);
+        alike
+            .map(|other| system[other].coupling[other])
+            .fold(0.0, f64::max)
+    });
+    let (mut places, mut count) = ([0; N], 0);
     for least in [WEAK, 0.0] {
         for pivot in 0..N {
             let divisor = matrix[pivot][pivot];
-            let is_strong = divisor > least * strongest[system[pivot].part];
-            if is_used[pivot] || !is_strong || !can_be_used(pivot, divisor) {
+            let is_strong = divisor > least * strongest[pivot];
+            if places[pivot] > 0 || !is_strong || !can_be_used(pivot, divisor) {
                 continue;
             }
-            (order[count], is_used[pivot]) = (pivot, true);
             count += 1;
-            for row in (0..N).filter(|row| !is_used[*row]) {
+            places[pivot] = count;
+            let known = matrix[pivot];
+            for row in (0..N).filter(|row| places[*row] == 0) {
                 let factor = matrix[row][pivot] / divisor;
-                let known = matrix[pivot];
                 for (entry, part) in matrix[row].iter_mut().zip(known) {
                     *entry -= factor * part;
                 }
@@ -399,7 +402,7 @@ fn eliminate<R, const N: usize>(
             }
         }
     }
-    (order, count)
+    places
 }
 
 /// The same fraction for the reason of a failure, which may occur just before: an angle of a
@@ -411,15 +414,16 @@ const NEARLY_DEPENDENT: f64 = 1e-6;
 pub fn dependent<R, const N: usize>(system: &[Row<R, N>; N]) -> Option<&'static str> {
     let mut matrix: [[f64; N]; N] = core::array::from_fn(|row| system[row].coupling);
     let natural = natural(system);
-    let (order, count) = eliminate(system, &mut matrix, &mut [0.0; N], |pivot, divisor| {
+    let places = eliminate(system, &mut matrix, &mut [0.0; N], |pivot, divisor| {
         divisor > NEARLY_DEPENDENT * natural[pivot]
     });
+    let count = places.iter().filter(|place| **place > 0).count();
     let expected = system.iter().filter(|row| !row.follows).count();
     if count >= expected {
         return None;
     }
     let rows = system.iter().enumerate();
-    let mut rows = rows.filter(|(own, _)| !order[..count].contains(own));
+    let mut rows = rows.filter(|(own, _)| places[*own] == 0);
     let others = rows.clone().find(|(_, row)| !row.follows);
     others.or_else(|| rows.next()).map(|(_, row)| row.name)
 }

@@ -234,3 +234,43 @@ fn short_steps_to_a_change_point_come_to_an_end() {
         assert!((energy(&state) - energy(&start)).abs() < 1e-7, "{state:?}");
     }
 }
+
+// a piston that is driven does not say which way the crank leaves a dead point
+rigid_system!(Piston {
+    motion: planar,
+    bodies: [
+        piston {
+            mass: 1[kg],
+            inertia: 0.1[kg * m ^ 2]
+        },
+        rod {
+            mass: 0.5[kg],
+            inertia: 0.02[kg * m ^ 2],
+            points: [wrist = (0.25, 0), knee = (-0.25, 0)]
+        },
+        crank {
+            mass: 1[kg],
+            inertia: 0.1[kg * m ^ 2],
+            points: [knee = (0.3, 0)]
+        },
+    ],
+    joints: [
+        rail =
+            prismatic(world(0, 0), piston.G, world(1, 0)).driven(0.8[m] - 0.05[m / s ^ 2] * t * t),
+        wrist = revolute(piston.G, rod.wrist),
+        turn = revolute(world(0, 0), crank.G),
+        knee = revolute(rod.knee, crank.knee),
+    ],
+});
+
+#[test]
+fn a_driven_piston_does_not_pass_a_dead_point() {
+    let (body, start) = (Piston::default(), PistonState::default());
+    body.check(0.0, &start, &()).unwrap();
+    assert!(body.dependent(0.0, &start, &()).is_some());
+    let found = body.integrate(&start).to(1.0);
+    assert!(
+        matches!(found, Err(IntegrationError::Undetermined { .. })),
+        "{found:?}"
+    );
+}

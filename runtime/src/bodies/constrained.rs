@@ -59,8 +59,8 @@ pub trait Constrained: RigidBody {
     ) -> Result<(), Inconsistent>;
 
     /// The constraint that depends on the others in this state, or nearly so, although not in
-    /// general: at a dead point or a change point of a linkage, where the constraints do not
-    /// determine the motion. The error of an integration names it. `None` by default;
+    /// general: at a change point of a linkage, or at a dead point of a driven joint, where the
+    /// constraints do not determine the motion. The error of an integration names it. `None` by default;
     /// [`rigid_system!`](crate::rigid_system) and [`rigid_body!`](crate::rigid_body) implement it.
     fn dependent(
         &self,

@@ -79,8 +79,9 @@ impl Lowering<'_> {
             self.visit(written);
             let lengths = if expected == 1 { "length" } else { "lengths" };
             let names = solid.lengths.join(", ");
+            let spare = written.get(expected).map(|spare| spare.extent);
             return self.report(
-                word.span(),
+                spare.unwrap_or_else(|| word.span().into()),
                 format!("`{word}({names})` takes {expected} {lengths}, and this has {found}"),
             );
         }

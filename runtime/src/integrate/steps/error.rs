@@ -87,8 +87,8 @@ pub enum IntegrationError<S> {
         violated: Inconsistent,
     },
     /// The constraints do not determine the motion from here on: one depends on the others,
-    /// although not in general. This is a dead point or a change point of a linkage, from which
-    /// several motions continue, or none.
+    /// although not in general. This is a change point of a linkage, or a dead point of a driven
+    /// joint, from which several motions continue, or none.
     Undetermined {
         /// \[s\]
         time: f64,
@@ -196,7 +196,7 @@ impl<S> fmt::Display for IntegrationError<S> {
                 time, constraint, ..
             } => write!(
                 f,
-                "after {} s the motion is not determined: `{constraint}` follows from the other constraints there, as at a dead point or a change point",
+                "after {} s the motion is not determined: `{constraint}` follows from the other constraints there, as at a change point, or at a dead point of a driven joint",
                 Number(*time)
             ),
             Self::EventNotANumber { time, .. } => {

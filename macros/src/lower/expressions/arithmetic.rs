@@ -66,7 +66,8 @@ impl Lowering<'_> {
             Operator::Add | Operator::Subtract => self.sum(left, right, sides),
             Operator::Multiply => self.product(left, right, sides),
             Operator::Divide => self.quotient(left, right, sides),
-            Operator::Power => self.report(sides.step.place, POWER),
+            // reported
+            Operator::Power => None,
             Operator::And | Operator::Or => match (left, right) {
                 (Value::Condition(a), Value::Condition(b)) => {
                     let graph = &mut self.work.graph;
@@ -363,9 +364,6 @@ impl Lowering<'_> {
         }))
     }
 }
-
-const POWER: &str = "`^` is a power only inside unit brackets: write `x.powi(2)`; of a vector \
-                     `v.norm_squared()`, and along it `v.norm() * v`";
 
 /// One side of an operator.
 struct Side<'e> {

@@ -1,15 +1,20 @@
 //! The value of an expression, from the values of its parts.
 
+use std::slice;
+
 use crate::errors::Extent;
 use crate::model::Dimension;
 use crate::symbolic::{Components, Graph, Id, Number};
-use crate::syntax::{Expression, Kind, UnitExpression};
+use crate::syntax::{Expression, Kind, Operator, Step, UnitExpression};
 
 use super::lowering::{AXES, Lowering, UNKNOWN, dimension};
 use super::scope::Value;
 use super::unit::{lower_unit, unquoted};
 
 const CHARGES: &str = "a list of charges follows a field: `field.on([q.at(P)])`";
+
+const POWER: &str = "`^` is a power only inside unit brackets: write `x.powi(2)`; of a vector \
+                     `v.norm_squared()`, and along it `v.norm() * v`";
 
 impl Lowering<'_> {
     /// A value, with its frame and dimension.
@@ -28,7 +33,14 @@ impl Lowering<'_> {
             Kind::List(_) => self.report(extent, CHARGES),
             Kind::Unit(operand, unit) => self.unit(operand, unit),
             Kind::Prefix(prefix, operand) => self.prefix(*prefix, operand),
-            Kind::Chain(first, rest) => self.chain(first, rest),
+            Kind::Chain(first, rest) => match rest.iter().find(|step| is_power(step)) {
+                Some(power) => {
+                    self.check_brackets_of_unit(first, rest)?;
+                    self.visit_operands(first, rest);
+                    self.report(power.place, POWER)
+                }
+                None => self.chain(first, rest),
+            },
             Kind::Call(function, arguments) => self.call(function, arguments, extent),
             Kind::Method(receiver, method, arguments) => {
                 if let Some(gradient) = self.gradient(receiver, method, arguments) {
@@ -100,6 +112,20 @@ impl Lowering<'_> {
                 Kind::Tuple(_) | Kind::List(_) | Kind::Placeholder
             );
             let _ = is_value.then(|| self.value(expression));
+        }
+    }
+
+    /// Reports errors in operands. Rust's `^` binds less than `+`: what it takes together means
+    /// nothing.
+    fn visit_operands(&mut self, first: &Expression, rest: &[Step]) {
+        for operand in [first]
+            .into_iter()
+            .chain(rest.iter().map(|step| &step.operand))
+        {
+            match &operand.kind {
+                Kind::Chain(first, rest) => self.visit_operands(first, rest),
+                _ => self.visit(slice::from_ref(operand)),
+            }
         }
     }
 
@@ -197,4 +223,8 @@ impl Lowering<'_> {
         });
         Some(Value::Vector(chosen, dimension))
     }
+}
+
+fn is_power(step: &Step) -> bool {
+    step.operator == Operator::Power
 }

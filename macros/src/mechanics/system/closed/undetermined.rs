@@ -175,7 +175,12 @@ fn are_held_apart(graph: &mut Graph, rows: &[&ConstraintRow]) -> bool {
     let measured = rows.iter().filter_map(|row| Some((row.value?, row.rate)));
     let (values, rates): (Vec<Id>, Vec<Id>) = measured.unzip();
     let change = graph.inner(&values, &rates);
-    graph.vanishes(change) && values.iter().any(|value| !graph.vanishes(*value))
+    let is_told = |id: Id| {
+        let number = graph.as_number(id);
+        number.is_none_or(|number| !number.is_undecided())
+    };
+    let are_told = graph.nodes_of(&values).into_iter().all(is_told);
+    are_told && graph.vanishes(change) && values.iter().any(|value| !graph.vanishes(*value))
 }
 
 /// Reports joints that close loops which no motion can close, because other joints hold both of their

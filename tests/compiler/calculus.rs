@@ -194,7 +194,23 @@ fn no_rule_looks_into_a_quantity() {
     assert_eq!(g.quantity(a), a);
     assert_eq!(g.quantity(half), half);
     let program = g.schedule(&[product], Stage::State);
-    assert_eq!(program.statements, [quantity]);
+    assert_eq!(program.statements, [scaled]);
+    assert_eq!(program.values.copies_of(scaled), [quantity]);
+}
+
+#[test]
+fn a_program_computes_a_value_once() {
+    let mut g = Graph::default();
+    let [a, b, c] = [(); 3].map(|()| g.symbol(Stage::State));
+    let sum = g.add(a, b);
+    let named = g.quantity(sum);
+    let (from_sum, from_named) = (g.multiply(c, sum), g.multiply(named, c));
+    assert_ne!(from_sum, from_named);
+    let difference = g.subtract(from_sum, from_named);
+    let program = g.schedule(&[difference], Stage::State);
+    assert_eq!(g.cost(&program.nodes).total(), 3);
+    assert_eq!(program.statements, [sum, from_sum]);
+    assert_eq!(program.values.copies_of(from_sum), [from_named]);
 }
 
 #[test]

@@ -49,28 +49,34 @@ impl Block<'_> {
         self.taken.unique(wanted)
     }
 
+    /// The name of a statement.
     pub fn statement_name(&mut self, id: Id) -> Ident {
+        self.name_of(id, &[])
+    }
+
+    /// The name of a statement whose value `copies` have, too.
+    pub fn name_of(&mut self, id: Id, copies: &[Id]) -> Ident {
         let work = &self.writer.work;
         let inner = match work.graph.node(id) {
             Node::Quantity(inner) => *inner,
             _ => id,
         };
+        // the same expression, as a statement or not: a statement has the better name
+        let mut alike = [copies, &[id, inner]].concat();
+        alike.extend(work.graph.quantity_of(inner));
+        alike.sort_by_key(|id| !matches!(work.graph.node(*id), Node::Quantity(_)));
         let targets = self.writer.targets;
-        if let Some(target) = targets.get(id).or_else(|| targets.get(inner)) {
+        if let Some(target) = alike.iter().find_map(|id| targets.get(*id)) {
             return target.clone();
         }
         let plain = work.graph.as_number(id).and_then(number_name);
-        // the same expression, as a statement or not
         let label = |id: Id| {
             let forms = [Some(id), work.graph.quantity_of(id)];
-            forms
-                .into_iter()
-                .flatten()
-                .find_map(|id| work.labels.get(id))
+            let mut forms = forms.into_iter().flatten();
+            forms.find_map(|id| work.labels.get(id))
         };
-        let alike = [Some(id), Some(inner), work.graph.quantity_of(inner)];
-        let mut alike = alike.into_iter().flatten();
         let opposite = |id: Id| Some(format!("minus_{}", label(work.graph.negation_of(id)?)?));
+        let mut alike = alike.into_iter();
         let wanted = plain
             .or_else(|| alike.clone().find_map(label))
             .map(str::to_owned)
@@ -144,15 +150,15 @@ impl Block<'_> {
     }
 
     /// What the group that a statement belongs to means; given only for its first member.
-    pub fn note(&mut self, id: Id, name: &Ident) -> Option<&'static str> {
+    pub fn note(&mut self, id: Id, copies: &[Id], name: &Ident) -> Option<&'static str> {
         let Workspace { labels, graph, .. } = self.writer.work;
         let inner = match graph.node(id) {
             Node::Quantity(inner) => *inner,
             _ => id,
         };
-        let same = [Some(id), Some(inner)];
-        let opposite = [id, inner].map(|id| graph.negation_of(id));
-        let mut all = same.into_iter().chain(opposite).flatten();
+        let alike = [copies, &[id, inner]].concat().into_iter();
+        let opposite = alike.clone().filter_map(|id| graph.negation_of(id));
+        let mut all = alike.clone().chain(opposite);
         let meaning = all.find_map(|id| labels.meaning(id));
         let (group, note) = match meaning {
             Some(meaning) => (meaning, meaning),

@@ -152,10 +152,14 @@ impl Block<'_> {
             if self.names.contains_key(&id) {
                 continue;
             }
-            let name = self.statement_name(id);
-            let note = self.note(id, &name);
+            let copies = program.values.copies_of(id);
+            let name = self.name_of(id, copies);
+            let note = self.note(id, copies, &name);
             text.extend(note.iter().map(|note| format!("# {note}")));
+            let copied = copies.iter().map(|copy| (*copy, name.clone()));
+            let copied: Vec<(Id, Ident)> = copied.collect();
             let (left, right) = self.statement(id, name, program);
+            self.names.extend(copied);
             text.push(format!("{} = {}", code_text(&left), code_text(&right)));
             let note = note.map(|note| format!(" {note}"));
             lines.push(Line { left, right, note });

@@ -377,7 +377,8 @@ fn levels(graph: &Graph, recurrences: &Recurrences, program: &Program) -> HashMa
         let operands = graph.node(*id).operands();
         let highest = operands.filter_map(|operand| levels.get(&operand)).max();
         if let Some(level) = highest.copied() {
-            levels.insert(*id, level);
+            let alike = program.values.copies_of(*id).iter().chain([id]);
+            levels.extend(alike.map(|id| (*id, level)));
         }
     }
     levels

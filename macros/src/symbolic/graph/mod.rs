@@ -12,6 +12,7 @@ mod product;
 mod program;
 mod spectra;
 mod sum;
+mod values;
 mod vector;
 
 pub use cost::Cost;

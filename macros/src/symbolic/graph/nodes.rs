@@ -122,6 +122,22 @@ impl Node {
 
     /// The operation and its operands, packed into one unique word; numbers do not fit.
     fn words(&self) -> u128 {
+        self.words_with(self.operands_in_place().0)
+    }
+
+    /// The same with the images of the operands, in an order of its own in sums and products.
+    pub(super) fn words_of(&self, image: impl Fn(Id) -> Id) -> u128 {
+        let (mut operands, count) = self.operands_in_place();
+        for operand in &mut operands[..count] {
+            *operand = image(*operand);
+        }
+        if matches!(self, Self::Add(..) | Self::Multiply(..)) {
+            operands[..2].sort_unstable();
+        }
+        self.words_with(operands)
+    }
+
+    fn words_with(&self, [a, b, c]: [Id; 3]) -> u128 {
         let (operation, which): (u8, u32) = match *self {
             Self::Number(_) => (0, 0),
             Self::Truth(holds) => (1, u32::from(holds)),
@@ -144,7 +160,6 @@ impl Node {
             Self::Foreign(..) => (18, 0),
             Self::Positive(_) => (19, 0),
         };
-        let ([a, b, c], _) = self.operands_in_place();
         // three operands leave room for the operation and the 24 bits of a foreign function; the
         // index of any other function takes the place of a third operand
         let last = if which == 0 { c.0 } else { which };

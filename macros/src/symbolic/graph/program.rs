@@ -1,8 +1,11 @@
 //! From a graph to straight-line code: which expressions become statements, and in which order.
 
+use std::collections::HashMap;
+
 use crate::symbolic::number::Function;
 
 use super::nodes::{Graph, Id, Node, Stage};
+use super::values::Values;
 
 /// A statement with more operations than this is split.
 const STATEMENT: u32 = 14;
@@ -18,6 +21,8 @@ pub struct Program {
     pub symbols: Vec<Id>,
     /// All nodes that this program computes, children first.
     pub nodes: Vec<Id>,
+    /// Which expressions have the value of one of these nodes, and are not computed again.
+    pub values: Values,
 }
 
 impl Graph {
@@ -39,49 +44,70 @@ impl Graph {
         };
         let computed = |id: Id| !is_leaf(id) && (is_due(id) || is_condition(id));
         let reached = self.reachable(outputs, &computed);
-        let (nodes, rest): (Vec<Id>, Vec<Id>) = reached.into_iter().partition(|id| computed(*id));
+        let (mut nodes, rest): (Vec<Id>, Vec<Id>) =
+            reached.into_iter().partition(|id| computed(*id));
         let (symbols, rest): (Vec<Id>, Vec<Id>) = rest
             .into_iter()
             .partition(|id| matches!(self.node(*id), Node::Symbol(_)));
         let hoisted = rest.into_iter().filter(|id| !is_leaf(*id)).collect();
 
-        let statements = self.statements(&nodes, outputs, computed);
+        let values = self.values(&nodes);
+        nodes.retain(|id| values.first(*id) == *id);
+        let statements = self.statements(&nodes, outputs, &values);
         Program {
             statements,
             outputs: outputs.to_vec(),
             hoisted,
             symbols,
             nodes,
+            values,
         }
     }
 
-    /// The `nodes` that get a name. All of them are `computed`.
-    fn statements(&self, nodes: &[Id], outputs: &[Id], computed: impl Fn(Id) -> bool) -> Vec<Id> {
-        let operands = |id: Id| self.node(id).operands().filter(|id| computed(*id));
+    /// The `nodes` that get a name.
+    fn statements(&self, nodes: &[Id], outputs: &[Id], values: &Values) -> Vec<Id> {
+        let computed = |id: &Id| nodes.binary_search(id).is_ok();
+        let first = |id: Id| values.first(id);
+        let operands = |id: Id| self.node(id).operands().map(first).filter(computed);
         let mut uses = vec![0_u32; nodes.last().map_or(0, |last| last.index() + 1)];
         let mut weights = vec![0_u32; uses.len()];
-        let read = nodes.iter().flat_map(|id| operands(*id));
-        for id in read.chain(outputs.iter().copied().filter(|id| computed(*id))) {
+        let mut readers: HashMap<Id, Id> = HashMap::new();
+        for reader in nodes {
+            for id in operands(*reader) {
+                uses[id.index()] += 1;
+                readers.entry(id).or_insert(*reader);
+            }
+        }
+        for id in outputs.iter().copied().map(first).filter(computed) {
             uses[id.index()] += 1;
         }
+        let is_quantity = |id: &&Id| matches!(self.node(**id), Node::Quantity(_));
+        let quantity = |id: Id| {
+            let copies = values.copies_of(id).iter();
+            copies.chain([&id]).find(is_quantity).copied()
+        };
         let mut statements = Vec::new();
         for &id in nodes {
             let inlined: u32 = operands(id).map(|id| weights[id.index()]).sum();
-            let is_quantity = matches!(self.node(id), Node::Quantity(_));
             let negates = matches!(self.node(id), Node::Negate(_));
-            let is_named = |inner: Id| statements.binary_search(&inner).is_ok();
-            if is_quantity && self.node(id).operands().any(is_named) {
-                // this only renames an existing statement
-                continue;
-            }
-            let weight = inlined + u32::from(!negates && !is_quantity);
+            let weight = inlined + u32::from(!negates && !is_quantity(&&id));
             let is_shared = uses[id.index()] > 1 && !negates;
-            if is_quantity || is_shared || self.is_half_of_a_pair(id, nodes) || weight > STATEMENT {
+            if quantity(id).is_some()
+                || is_shared
+                || self.is_half_of_a_pair(id, nodes)
+                || weight > STATEMENT
+            {
                 statements.push(id);
             } else {
                 weights[id.index()] = weight;
             }
         }
+        // a quantity stands where it was made, unless its value is read before
+        statements.sort_by_key(|id| {
+            let made = quantity(*id).unwrap_or(*id);
+            let is_read = readers.get(id).is_some_and(|reader| *reader < made);
+            if is_read { *id } else { made }
+        });
         statements
     }
 

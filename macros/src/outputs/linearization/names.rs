@@ -1,25 +1,35 @@
-//! The names of states and inputs in a linearization: those of its blocks, and of their components.
+//! The names of states, inputs and params in derivatives: those of blocks, and of their components.
 
 use std::collections::HashMap;
 
 use proc_macro2::Ident;
 
 use crate::errors::Errors;
-use crate::model::{AXES, Outline, Variable};
+use crate::model::{AXES, Declared, Outline, Variable};
 
-/// A part of the state, or an input, with the names that it has in the linearization.
+/// A part of the state, an input or a param, with the names that it has among derivatives.
 struct Named<'o> {
-    /// What has a name that can be changed: a joint, a user-defined state, an input.
+    /// What has a name that can be changed: a joint, a user-defined state, an input, a param.
     owner: Option<(&'o Ident, &'static str)>,
     name: String,
     is_vector: bool,
 }
 
-/// Reports names that two blocks or two components would share: `velocity_x` of an input, or
-/// `arm_angular_velocity` of a hinge `arm` and a slide `arm_angular`.
-pub fn check_names(outline: &Outline, errors: &mut Errors) {
+/// Reports names that two blocks or two components of a linearization would share: `velocity_x` of
+/// an input, or `arm_angular_velocity` of a hinge `arm` and a slide `arm_angular`.
+pub fn check_states_and_inputs(outline: &Outline, errors: &mut Errors) {
+    let inputs = named(&outline.inputs, "input");
+    check(tangent(outline).chain(inputs), "linearization", errors);
+}
+
+/// Reports names that two parameters would share: a vector `wind` and a number `wind_x`.
+pub fn check_params(outline: &Outline, errors: &mut Errors) {
+    check(named(&outline.params, "param"), "sensitivity", errors);
+}
+
+fn check<'o>(parts: impl Iterator<Item = Named<'o>>, output: &str, errors: &mut Errors) {
     let mut seen: HashMap<String, Option<(&Ident, &str)>> = HashMap::new();
-    for part in all(outline) {
+    for part in parts {
         let own = part.owner.map(|(owner, _)| owner);
         let shared = part.names().into_iter().find_map(|name| {
             let first = *seen.get(&name)?;
@@ -33,7 +43,7 @@ pub fn check_names(outline: &Outline, errors: &mut Errors) {
                 _ => "the motion has".to_owned(),
             };
             let message = format!(
-                "{has} `{name}`, too, and the blocks of `linearization` go by these names: rename the {what}"
+                "{has} `{name}`, too, and the blocks of `{output}` go by these names: rename the {what}"
             );
             errors.push(owner.span(), message);
             continue;
@@ -44,8 +54,9 @@ pub fn check_names(outline: &Outline, errors: &mut Errors) {
     }
 }
 
-fn all(outline: &Outline) -> Vec<Named<'_>> {
-    let groups = outline.tangent().into_iter().map(|group| Named {
+/// The groups of the state.
+fn tangent(outline: &Outline) -> impl Iterator<Item = Named<'_>> {
+    outline.tangent().into_iter().map(|group| Named {
         owner: match group.variable {
             Variable::Own => Some((&outline.states[group.first].name, "state")),
             _ if outline.is_system => Some((&outline.joints[group.joint].name, "joint")),
@@ -53,13 +64,15 @@ fn all(outline: &Outline) -> Vec<Named<'_>> {
         },
         name: group.name,
         is_vector: group.size > 1,
-    });
-    let inputs = outline.inputs.iter().map(|input| Named {
-        owner: Some((&input.name, "input")),
-        name: input.name.to_string(),
-        is_vector: input.frame.is_some(),
-    });
-    groups.chain(inputs).collect()
+    })
+}
+
+fn named<'o>(declared: &'o [Declared], what: &'static str) -> impl Iterator<Item = Named<'o>> {
+    declared.iter().map(move |one| Named {
+        owner: Some((&one.name, what)),
+        name: one.name.to_string(),
+        is_vector: one.frame.is_some(),
+    })
 }
 
 impl Named<'_> {

@@ -13,7 +13,7 @@ use crate::outputs::subject::Subject;
 use super::coordinates::coordinated;
 use super::emitted::{Words, emitted};
 use super::matrices::{Placed, Space};
-use super::names::check_names;
+use super::names::check_states_and_inputs;
 
 const OFFER: Offer = Offer {
     is_of_motion: true,
@@ -35,7 +35,7 @@ impl<S: Subject> Output<S> for Linearization {
     }
 
     fn derive(&mut self, basis: &mut Basis<'_, S>) -> Option<()> {
-        check_names(basis.outline, basis.errors);
+        check_states_and_inputs(basis.outline, basis.errors);
         let model = basis.model;
         let differentiated = model.differentiated(basis.work, basis.equations);
         let found = mechanics::linearize(basis.outline, model, basis.work, differentiated);

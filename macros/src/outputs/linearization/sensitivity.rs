@@ -10,6 +10,7 @@ use crate::symbolic::Id;
 
 use super::emitted::{Words, emitted};
 use super::matrices::Space;
+use super::names::check_params;
 
 const OFFER: Offer = Offer {
     is_of_motion: true,
@@ -31,6 +32,7 @@ impl<S: Subject> Output<S> for Sensitivity {
             basis.errors.push(place, message);
             return None;
         }
+        check_params(basis.outline, basis.errors);
         let differentiated = basis.model.differentiated(basis.work, basis.equations);
         let found = mechanics::sensitivity(basis.outline, basis.work, differentiated);
         self.0 = Some(found);

@@ -40,6 +40,7 @@ impl Output<System> for Reactions {
     }
 
     fn derive(&mut self, basis: &mut Basis<'_, System>) -> Option<()> {
+        check_some(basis)?;
         check_determined(basis)?;
         let loads = derive_system_reactions(basis.model, basis.work, basis.equations);
         let held = held(basis.outline).filter_map(|name| {
@@ -108,6 +109,21 @@ impl Output<System> for Reactions {
         let addition = Addition::implement(site, "Reactions", [types, quote!()], &methods);
         addition.with(outline, &by_name)
     }
+}
+
+/// Reports that no joint or constraint holds anything, if all reactions are requested.
+fn check_some(basis: &mut Basis<'_, System>) -> Option<()> {
+    let outline = basis.outline;
+    let mut kept = outline.kept.iter().filter(|name| outline.is_held(name));
+    let is_some = outline.held.is_some()
+        || held(outline).next().is_some()
+        || driving_of(outline).next().is_some()
+        || kept.next().is_some();
+    if is_some {
+        return Some(());
+    }
+    let message = "there are no reactions: no joint holds what it carries";
+    basis.errors.report(outline.place(OFFER.word)?, message)
 }
 
 /// Reports requested loads that are not determined, at the names of the requested joints.

@@ -72,7 +72,8 @@ impl System {
     /// Adds the bodies and joints of the file, if there is one.
     pub(super) fn read_file(&mut self, errors: &mut Errors) {
         let Some(mut file) = self.file.take() else {
-            if let Some(first) = self.locked.first().filter(|_| !self.lost.joints) {
+            let mut locked = self.locked.iter().filter(|locked| locked.value.is_some());
+            if let Some(first) = locked.next().filter(|_| !self.lost.joints) {
                 let message = "`locked` holds joints of a file, and there is no `urdf: \"..\"` or `mjcf: \"..\"`";
                 errors.push(first.name.span(), message);
             }

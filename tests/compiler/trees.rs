@@ -171,6 +171,7 @@ impl Reference {
                 armature: self.graph.zero(),
                 drive,
                 name: "freedom".to_owned(),
+                joint: String::new(),
             });
         }
         let body = &joint["inertia"];

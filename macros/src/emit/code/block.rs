@@ -61,10 +61,13 @@ impl Block<'_> {
             Node::Quantity(inner) => *inner,
             _ => id,
         };
-        // the same expression, as a statement or not: a statement has the better name
-        let mut alike = [copies, &[id, inner]].concat();
+        // the same expression, as a statement or not: a statement has the better name, unless it is
+        // the sine or cosine of an angle
+        let mut alike = [&[id, inner], copies].concat();
         alike.extend(work.graph.quantity_of(inner));
-        alike.sort_by_key(|id| !matches!(work.graph.node(*id), Node::Quantity(_)));
+        if work.graph.other_half(inner).is_none() {
+            alike.sort_by_key(|id| !matches!(work.graph.node(*id), Node::Quantity(_)));
+        }
         let targets = self.writer.targets;
         if let Some(target) = alike.iter().find_map(|id| targets.get(*id)) {
             return target.clone();

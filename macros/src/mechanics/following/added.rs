@@ -66,7 +66,7 @@ impl Added {
                         return None;
                     }
                     properties.push(Property {
-                        of: Ident::new(&freedom.name, Span::call_site()),
+                        of: Ident::new(&freedom.joint, Span::call_site()),
                         word: "armature with its drive",
                         value,
                         may_vanish: true,

@@ -2,13 +2,18 @@
 
 use crate::families::LoadKind;
 use crate::mechanics::balances::{moments_about, resultant};
-use crate::model::{Load, Member, Part, Point, Rates, System, TreeJoint, Variable, Workspace};
+use crate::model::{
+    AXES, Load, Member, Part, Point, Rates, System, TreeJoint, Variable, Workspace,
+};
 use crate::symbolic::{Components, Function, Id};
 
 use super::link::{Freedom, Link, Tree};
 use super::properties::Properties;
 use super::spatial::{SpatialInertia, SpatialVector};
 use super::turning::Turning;
+
+/// Rotations about the axes, in names.
+const TURNS: [&str; 3] = ["turn_x", "turn_y", "turn_z"];
 
 /// A tree, and the links of each joint, the last of which is the body.
 pub struct Built {
@@ -152,7 +157,7 @@ impl Making<'_> {
         let step = graph.scale_vector(distance, direction);
         self.place = graph.add_vectors(self.place, step);
         let twist = SpatialVector::along(graph, direction);
-        let freedom = self.freedom(twist, rate, number);
+        let freedom = self.freedom(twist, rate, number, "slide");
         self.link(Turning::Parallel, vec![freedom]);
     }
 
@@ -179,7 +184,7 @@ impl Making<'_> {
         let rates = [0, 1, 2].map(|axis| get(Variable::AngularVelocity, axis));
         let freedoms = (0..3).map(|axis| {
             let twist = SpatialVector::about(&self.work.graph, units[axis]);
-            self.freedom(twist, rates[axis], first + axis)
+            self.freedom(twist, rates[axis], first + axis, TURNS[axis])
         });
         let freedoms = freedoms.collect();
         self.link(turning, freedoms);
@@ -194,13 +199,15 @@ impl Making<'_> {
         let mut freedoms: Vec<Freedom> = (0..linear)
             .map(|axis| {
                 let twist = SpatialVector::along(&self.work.graph, units[axis]);
-                self.freedom(twist, get(Variable::Velocity, axis), first + axis)
+                let rate = get(Variable::Velocity, axis);
+                self.freedom(twist, rate, first + axis, AXES[axis])
             })
             .collect();
         for (part, axis) in LoadKind::Moment.axes(is_planar).enumerate() {
             let twist = SpatialVector::about(&self.work.graph, units[axis]);
             let rate = get(Variable::AngularVelocity, part);
-            freedoms.push(self.freedom(twist, rate, first + linear + part));
+            let along = if is_planar { "turn" } else { TURNS[axis] };
+            freedoms.push(self.freedom(twist, rate, first + linear + part, along));
         }
         let turning = if is_planar {
             Turning::by_angle(&mut self.work.graph, 2, get(Variable::Angle, 0))
@@ -230,13 +237,15 @@ impl Making<'_> {
             Turning::About { axis, .. } => Some(graph.multiply(direction[axis], angle)),
             Turning::Parallel | Turning::By(_) => None,
         };
-        let freedom = self.freedom(twist, rate, number);
+        let freedom = self.freedom(twist, rate, number, "turn");
         let index = self.link(turning, vec![freedom]);
         self.links[index].angle = about;
     }
 
-    /// The joint coordinate with this index.
-    fn freedom(&self, twist: SpatialVector, rate: Id, number: usize) -> Freedom {
+    /// The joint coordinate with this index. `along` tells it from others of the joint.
+    fn freedom(&self, twist: SpatialVector, rate: Id, number: usize, along: &str) -> Freedom {
+        let joint = self.joint.name.to_string();
+        let is_alone = self.joint.drives.len() == 1;
         Freedom {
             twist,
             rate,
@@ -246,7 +255,12 @@ impl Making<'_> {
                 .unwrap_or_else(|| self.work.graph.zero()),
             drive: self.joint.drives[number],
             given: self.joint.given[number],
-            name: self.joint.name.to_string(),
+            name: if is_alone {
+                joint.clone()
+            } else {
+                format!("{joint}_{along}")
+            },
+            joint,
         }
     }
 

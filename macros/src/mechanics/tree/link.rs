@@ -57,7 +57,9 @@ pub struct Freedom {
     pub drive: Id,
     /// Its acceleration, if its motion is prescribed.
     pub given: Option<Id>,
+    /// The joint, or the joint and the direction if it has several.
     pub name: String,
+    pub joint: String,
 }
 
 impl Tree {

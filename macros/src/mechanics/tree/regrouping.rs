@@ -87,7 +87,7 @@ pub fn left_out(graph: &Graph, before: &Tree, after: &Tree) -> Vec<String> {
         let [freedom] = link.freedoms.as_slice() else {
             continue;
         };
-        let (name, joint) = (&link.name, &freedom.name);
+        let (name, joint) = (&link.name, &freedom.joint);
         if matches!(link.turning, Turning::Parallel) && turns_unseen(graph, after, index) {
             lines.push(format!("the sine and cosine of `{joint}` in the accelerations: `{name}` is symmetric about its axis, carries nothing, and no load on it turns with it"));
         }

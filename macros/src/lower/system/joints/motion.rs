@@ -1,5 +1,7 @@
 //! The motion of the bodies of a tree: their states, from the ground up.
 
+use proc_macro2::Ident;
+
 use crate::model::{
     Attitude, Connection, Coordinate, Frame, Meaning, Part, Rates, Shape, State, TreeJoint,
     Variable, Vector, Workspace,
@@ -291,12 +293,12 @@ impl MotionInMaking {
                 let rates = TURNING.map(|variable| [0, 1, 2].map(|axis| get(variable, axis)));
                 self.enter(work, frame, rates);
             }
-            Part::Free => self.float(work, frame, of),
+            Part::Free => self.float(work, frame, &joint.name, of),
         }
     }
 
     /// Applies a part that moves freely, in the plane or in space.
-    fn float(&mut self, work: &mut Workspace, frame: Frame, of: &Rates) {
+    fn float(&mut self, work: &mut Workspace, frame: Frame, joint: &Ident, of: &Rates) {
         let zero = work.graph.zero();
         let get = |variable: Variable, part: usize| of.get(variable, part).unwrap_or(zero);
         let vector = |variable: Variable| [0, 1, 2].map(|axis| get(variable, axis));
@@ -312,7 +314,7 @@ impl MotionInMaking {
         } else {
             let direction = work.graph.unit_vectors()[2];
             let angle = get(Variable::Angle, 0);
-            work.set_attitude(frame, Attitude::Axis { angle, direction });
+            set_angle(work, frame, angle, direction, joint);
             TURNING.map(|variable| [zero, zero, get(variable, 0)])
         };
         self.enter(work, frame, rates);
@@ -352,13 +354,7 @@ impl MotionInMaking {
 }
 
 /// Rotates a frame by an angle, whose sine and cosine are named after the joint.
-fn set_angle(
-    work: &mut Workspace,
-    frame: Frame,
-    angle: Id,
-    direction: Components,
-    joint: &proc_macro2::Ident,
-) {
+fn set_angle(work: &mut Workspace, frame: Frame, angle: Id, direction: Components, joint: &Ident) {
     work.set_attitude(frame, Attitude::Axis { angle, direction });
     for (function, name) in [(Function::Sin, "sine"), (Function::Cos, "cosine")] {
         let value = work.graph.apply(function, &[angle]);

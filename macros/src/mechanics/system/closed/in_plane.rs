@@ -23,7 +23,7 @@ pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     let rows = rows(&mut work.graph, known, &absolute, &mut arms);
     let count = rows.len();
     let reduced = resolve(work, known, (&absolute, &mut arms), &rows)?;
-    arms.name(&mut work.labels, tree);
+    arms.name((&mut work.graph, &mut work.labels), tree);
     let graph = &mut work.graph;
     let values = &reduced.values[..absolute.count];
     let accelerations = absolute.of_joints(graph, values);

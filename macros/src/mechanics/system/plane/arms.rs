@@ -63,11 +63,19 @@ impl<'a> Arms<'a> {
         signed(graph, found)
     }
 
-    /// Names of all known vectors.
-    pub fn name(&self, labels: &mut Labels, tree: &Tree) {
+    /// Names of all known vectors: the force on each link, and arms.
+    pub fn name(&self, (graph, labels): (&mut Graph, &mut Labels), tree: &Tree) {
         for (link, known) in tree.links.iter().zip(&self.known) {
-            for [_, arm] in known {
-                labels.vector(&format!("arm_{}", link.name), *arm);
+            let opposite = graph.negate_vector(link.force);
+            for &[own, found] in known {
+                if own == link.force {
+                    labels.vector(&format!("force_{}", link.name), found);
+                } else if own == opposite {
+                    let force = graph.negate_vector(found);
+                    labels.vector(&format!("force_{}", link.name), force);
+                } else {
+                    labels.vector(&format!("arm_{}", link.name), found);
+                }
             }
         }
     }

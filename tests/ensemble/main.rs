@@ -113,55 +113,62 @@ where
     for (index, input) in inputs.iter().enumerate() {
         start.inputs_mut().set(index, input);
     }
-    let there = Width::ALL.into_iter().filter(|width| width.is_there());
-    for width in there {
+    let alone = states.iter().zip(&inputs).enumerate();
+    let alone = alone.map(|(index, (state, input))| {
+        let body = start.body(index);
+        let acceleration = body.acceleration(0.3, state, input);
+        let end = integrate::cf4(&body, state, input, 0.3..0.7, 7);
+        (acceleration, end)
+    });
+    let alone: Vec<_> = alone.collect();
+    for width in widths() {
         let mut ensemble = start.clone();
         ensemble.set_width(width);
         assert_eq!(ensemble.width(), width);
         let accelerations = ensemble.accelerations(0.3);
         ensemble.cf4(0.3..0.7, 7);
-        for (index, (state, input)) in states.iter().zip(&inputs).enumerate() {
-            let body = ensemble.body(index);
-            assert_eq!(
-                accelerations.get(index),
-                body.acceleration(0.3, state, input),
-                "{width:?}"
-            );
-            let alone = integrate::cf4(&body, state, input, 0.3..0.7, 7);
+        for (index, (acceleration, end)) in alone.iter().enumerate() {
+            assert_eq!(accelerations.get(index), *acceleration, "{width:?}");
             assert!(
-                ensemble.state(index) == alone,
-                "member {index}, {width:?}: {alone:?}"
+                ensemble.state(index) == *end,
+                "member {index}, {width:?}: {end:?}"
             );
-        }
-        let fixed = |step| Steps(&start, width, step);
-        fixed(0.06).move_as_alone(Classical4);
-        fixed(0.06).move_as_alone(Tsitouras5);
-        fixed(0.1).move_as_alone(DormandPrince8);
-        fixed(0.1).move_as_alone(Verner9);
-        fixed(0.02).move_as_alone(Midpoint);
-        for tolerance in [1e-3, 1e-8, 1e-13] {
-            moves_as_if_alone(&start, width, Verner { tolerance });
         }
     }
+    let fixed = |step| Steps(&start, step);
+    fixed(0.06).move_as_alone(Classical4);
+    fixed(0.06).move_as_alone(Tsitouras5);
+    fixed(0.1).move_as_alone(DormandPrince8);
+    fixed(0.1).move_as_alone(Verner9);
+    fixed(0.02).move_as_alone(Midpoint);
+    for tolerance in [1e-3, 1e-8, 1e-13] {
+        moves_as_if_alone(&start, &widths(), Verner { tolerance });
+    }
     let best = B::Best::with_tolerance(1e-8);
-    moves_as_if_alone(&start, Width::One, OneByOne(best));
+    moves_as_if_alone(&start, &[Width::One], OneByOne(best));
+}
+
+/// The widths that this processor has.
+fn widths() -> Vec<Width> {
+    let all = Width::ALL.into_iter();
+    all.filter(|width| width.is_there()).collect()
 }
 
 /// Equal steps \[s\] in lanes.
-struct Steps<'e, B: Generic>(&'e Ensemble<B>, Width, f64);
+struct Steps<'e, B: Generic>(&'e Ensemble<B>, f64);
 
 impl<B> Steps<'_, B>
 where
     B: Generic<State: PartialEq, Input: Clone> + Integrate<Best: Together<B>>,
 {
     fn move_as_alone<M: RungeKutta>(&self, method: M) {
-        let Self(start, width, step) = *self;
-        moves_as_if_alone(start, width, Fixed { method, step });
+        let Self(start, step) = *self;
+        moves_as_if_alone(start, &widths(), Fixed { method, step });
     }
 }
 
-/// All members together, and each of them alone: on a plain way, backwards, and with steps that end where they are told to.
-fn moves_as_if_alone<B, M>(start: &Ensemble<B>, width: Width, method: M)
+/// All members together in each of the widths, and each of them alone: on a plain way, backwards, and with steps that end where they are told to.
+fn moves_as_if_alone<B, M>(start: &Ensemble<B>, widths: &[Width], method: M)
 where
     B: Generic<State: PartialEq, Input: Clone> + Integrate<Best: Together<B>>,
     M: Moves<B> + Copy,
@@ -172,37 +179,38 @@ where
         (-0.1, plain, Some(0.11)),
         (0.7, (0.17, &[0.4, 0.65, 9.0, 0.3][..]), Some(0.11)),
     ] {
-        let mut ensemble = start.clone();
-        ensemble.set_width(width);
-        let motion = ensemble.integrate().starting_at(0.3).method(method);
-        let motion = motion.max_step(max_step).breaks(breaks);
-        motion.to(end).unwrap();
-        for index in 0..start.len() {
-            let (body, input) = (start.body(index), start.inputs().get(index));
-            let state = start.state(index);
-            let alone = body
-                .integrate(&state)
-                .starting_at(0.3)
-                .method(method.alone())
-                .max_step(max_step)
-                .breaks(breaks)
-                .input(input);
-            let alone = alone.to(end).unwrap();
-            assert!(
-                ensemble.state(index) == alone,
-                "member {index}, {width:?}, {}: {alone:?}",
-                std::any::type_name::<M>()
-            );
+        let alone = (0..start.len()).map(|index| {
+            let motion = start.body(index);
+            let motion = motion.integrate(&start.state(index)).starting_at(0.3);
+            let motion = motion.method(method.alone());
+            let motion = motion.max_step(max_step).breaks(breaks);
+            let motion = motion.input(start.inputs().get(index));
+            motion.to(end).unwrap()
+        });
+        let alone: Vec<B::State> = alone.collect();
+        for width in widths {
+            let mut ensemble = start.clone();
+            ensemble.set_width(*width);
+            let motion = ensemble.integrate().starting_at(0.3).method(method);
+            let motion = motion.max_step(max_step).breaks(breaks);
+            motion.to(end).unwrap();
+            for (index, alone) in alone.iter().enumerate() {
+                assert!(
+                    ensemble.state(index) == *alone,
+                    "member {index}, {width:?}, {}: {alone:?}",
+                    std::any::type_name::<M>()
+                );
+            }
         }
         let limits = (end, max_step, breaks);
-        are_sampled_as_if_alone(start, width, method, limits, period);
+        are_sampled_as_if_alone(start, widths, method, limits, period);
     }
 }
 
 /// The samples of all members are those of each alone, also under inputs that change at a period.
 fn are_sampled_as_if_alone<B, M>(
     start: &Ensemble<B>,
-    width: Width,
+    widths: &[Width],
     method: M,
     (end, max_step, breaks): (f64, f64, &[f64]),
     period: Option<f64>,
@@ -210,8 +218,6 @@ fn are_sampled_as_if_alone<B, M>(
     B: Generic<State: PartialEq, Input: Clone> + Integrate<Best: Together<B>>,
     M: Moves<B> + Copy,
 {
-    let mut ensemble = start.clone();
-    ensemble.set_width(width);
     let input = |time: f64, index: usize| {
         if period.is_none() || time < 0.45 {
             start.inputs().get(index)
@@ -219,24 +225,14 @@ fn are_sampled_as_if_alone<B, M>(
             B::Input::default()
         }
     };
-    let motion = ensemble.integrate().starting_at(0.3).method(method);
-    let motion = motion.max_step(max_step).breaks(breaks);
-    let samples: Vec<_> = match period {
-        None => motion.samples(end, 0.07).map(Result::unwrap).collect(),
-        Some(period) => {
-            let motion = motion.control(period, |time, index, _| input(time, index));
-            motion.samples(end, 0.07).map(Result::unwrap).collect()
-        }
-    };
-    assert!(samples.len() > 5);
-    for index in 0..start.len() {
+    let alone = (0..start.len()).map(|index| {
         let (body, state) = (start.body(index), start.state(index));
         let motion = body
             .integrate(&state)
             .starting_at(0.3)
             .method(method.alone());
         let motion = motion.max_step(max_step).breaks(breaks);
-        let alone: Vec<_> = match period {
+        let samples: Vec<_> = match period {
             None => {
                 let motion = motion.input(start.inputs().get(index));
                 motion.samples(end, 0.07).map(Result::unwrap).collect()
@@ -246,16 +242,34 @@ fn are_sampled_as_if_alone<B, M>(
                 motion.samples(end, 0.07).map(Result::unwrap).collect()
             }
         };
-        assert_eq!(samples.len(), alone.len());
-        for (sample, alone) in samples.iter().zip(alone) {
-            assert!(
-                sample.time.to_bits() == alone.time.to_bits()
-                    && sample.state.get(index) == alone.state,
-                "member {index} at {} s, {width:?}, {}, {period:?}: {:?}",
-                alone.time,
-                std::any::type_name::<M>(),
-                alone.state
-            );
+        samples
+    });
+    let alone: Vec<_> = alone.collect();
+    for width in widths {
+        let mut ensemble = start.clone();
+        ensemble.set_width(*width);
+        let motion = ensemble.integrate().starting_at(0.3).method(method);
+        let motion = motion.max_step(max_step).breaks(breaks);
+        let samples: Vec<_> = match period {
+            None => motion.samples(end, 0.07).map(Result::unwrap).collect(),
+            Some(period) => {
+                let motion = motion.control(period, |time, index, _| input(time, index));
+                motion.samples(end, 0.07).map(Result::unwrap).collect()
+            }
+        };
+        assert!(samples.len() > 5);
+        for (index, alone) in alone.iter().enumerate() {
+            assert_eq!(samples.len(), alone.len());
+            for (sample, alone) in samples.iter().zip(alone) {
+                assert!(
+                    sample.time.to_bits() == alone.time.to_bits()
+                        && sample.state.get(index) == alone.state,
+                    "member {index} at {} s, {width:?}, {}, {period:?}: {:?}",
+                    alone.time,
+                    std::any::type_name::<M>(),
+                    alone.state
+                );
+            }
         }
     }
 }
@@ -288,10 +302,8 @@ fn members_of_the_other_pair_move_as_if_alone() {
     };
     let body = bodies::Turning::default();
     let start = Ensemble::new(&body, (0..11_u8).map(|i| spinning(f64::from(i))));
-    for width in Width::ALL.into_iter().filter(|width| width.is_there()) {
-        for tolerance in [1e-3, 1e-8, 1e-13] {
-            moves_as_if_alone(&start, width, DormandPrince { tolerance });
-        }
+    for tolerance in [1e-3, 1e-8, 1e-13] {
+        moves_as_if_alone(&start, &widths(), DormandPrince { tolerance });
     }
 }
 

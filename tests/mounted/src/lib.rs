@@ -1,16 +1,11 @@
 //! The compiler as a library. Its rooms are mounted here, because a proc-macro crate cannot be
 //! linked.
-#![allow(missing_docs, dead_code)]
+#![allow(missing_docs, dead_code, reason = "tests alone use it")]
 #![allow(
+    clippy::all,
+    clippy::pedantic,
     unfulfilled_lint_expectations,
-    reason = "what is public here is private in the compiler"
-)]
-#![allow(
-    clippy::must_use_candidate,
-    clippy::missing_panics_doc,
-    clippy::needless_pass_by_value,
-    clippy::return_self_not_must_use,
-    reason = "tests alone use it"
+    reason = "clippy reads it in its place"
 )]
 
 #[path = "../../../macros/src/checks.rs"]

@@ -21,4 +21,5 @@ fn main() {
     let _ = rock.series::<5>(0.0, &state, &());
     let _ = rock.linearize(0.0, &state, &());
     let _ = rock.sensitivity(0.0, &state, &());
+    let _ = rock.trim(&state);
 }

@@ -7,6 +7,10 @@ use crate::state::Coordinates;
 
 /// A body or a system whose states and inputs are lists of numbers. `outputs: [linearization]`
 /// implements it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `trim`",
+    label = "needs `linearization` in its `outputs`, and the scalar `f64`"
+)]
 pub trait Coordinated<const STATES: usize, const INPUTS: usize>:
     Linearization<Scalar = f64, State: Coordinates, Linearization: Linearized<STATES, INPUTS>>
 {

@@ -162,7 +162,6 @@ const NAMES: &Elsewhere = &[
 ];
 
 const KEYS: &Elsewhere = &[
-    ("gravity", "fields"),
     ("weight", "fields"),
     ("springs", "potentials"),
     ("torque", "moments"),
@@ -261,6 +260,7 @@ pub fn advice_for_key(word: &str) -> Option<&'static str> {
         "geom" | "geometry" | "visual" | "collision" | "shape" | "color" | "mesh" => {
             "shapes are no part of the motion: leave them out"
         }
+        "gravity" | "g" => "write it as a field, `fields: [weight = mass * world(..)]`",
         "parent" | "child" | "carrier" | "loops" | "closures" => {
             "bodies are connected by `joints`; a joint between bodies that are connected already closes a loop"
         }

@@ -12,4 +12,5 @@ rigid_body!(Arm {
 fn main() {
     let mut arm = Arm::default();
     arm.params.length = 0.4;
+    arm.length = 0.4;
 }

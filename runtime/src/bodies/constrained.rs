@@ -30,9 +30,9 @@ pub trait Constrained: RigidBody {
         input: &Self::Input,
     ) -> Self::Violations;
 
-    /// Whether the state satisfies its constraints, in positions and in velocities, to rounding: to
-    /// the fraction [`Inconsistent::ROUNDING`] of their values if the whole state violated them.
-    /// Integration calls it first.
+    /// Whether the state satisfies its constraints, in positions and in velocities, to rounding: no
+    /// violation exceeds [`Inconsistent::ROUNDING`] times the value that it would have if the whole
+    /// state violated the constraint. Integration calls it first.
     ///
     /// # Errors
     /// [`Inconsistent`] with the constraint of the largest violation; positions come first.

@@ -15,7 +15,7 @@ use crate::integrate::{DormandPrince, Fixed, Verner};
 use crate::integrate::{Integrate, InvalidSetting, Method as _, Sampled, TOLERANCE, Tolerant};
 
 /// An integration of all members, like [`Integration`](crate::integrate::Integration) for one
-/// body. All settings are checked before anything moves, also if there are no members.
+/// body. All settings are checked before anything moves, even if there are no members.
 ///
 /// ```
 /// use newton_euler::integrate::{DormandPrince8, Fixed, Sample};
@@ -161,8 +161,9 @@ impl<'e, B: Generic, M, C> EnsembleIntegration<'e, B, M, C> {
 
     /// Takes inputs from a function of time, member and state, called at the start and after every
     /// period \[s\], each held until the next (zero-order hold), like a digital controller per
-    /// member. The members keep their last inputs. The motion of each is kept between calls: three
-    /// states and more, with [`OneByOne`] also the workspace of its method, for series tens of kB.
+    /// member. The members keep their last inputs. The motion of each member is kept between calls,
+    /// in the memory of three states or more. [`OneByOne`] also keeps the workspace of its method,
+    /// tens of kB for series.
     pub fn control<F>(self, period: f64, function: F) -> EnsembleIntegration<'e, B, M, Sampled<F>>
     where
         F: FnMut(f64, usize, &B::State) -> B::Input,

@@ -94,8 +94,8 @@ pub fn matrix(inertia: &InertiaTensor, angular_velocity: &Vector3<f64>) -> Matri
     angular_velocity.cross_matrix() * inertia.matrix()
 }
 
-/// The derivative of `ω × Jω` by ω at ω₀, `[ω₀]× J - [Jω₀]×` \[kg m²/s\]; ω₀ in body axes
-/// \[rad/s\].
+/// The derivative of `ω × Jω` with respect to ω at ω₀, `[ω₀]× J - [Jω₀]×` \[kg m²/s\]; ω₀ in body
+/// axes \[rad/s\].
 ///
 /// ```
 /// use newton_euler::nalgebra::Vector3;

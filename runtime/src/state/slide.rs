@@ -10,7 +10,7 @@ use super::space::State;
 use crate::numbers::scalar::Scalar;
 
 /// State of a body that slides along a direction, one degree of freedom; its acceleration is a
-/// \[m/s²\].
+/// scalar \[m/s²\].
 ///
 /// ```
 /// use newton_euler::prelude::*;

@@ -2,8 +2,8 @@
 
 use super::rigid_body::RigidBody;
 
-/// [`Energy`](super::Energy) of a system with joints of prescribed motion, `.driven(speed * t)`: it depends on
-/// time and on inputs.
+/// [`Energy`](super::Energy) of a system with joints of prescribed motion, `.driven(speed * t)`: it
+/// depends on time and on inputs.
 ///
 /// The drives of these joints do work on the system: with loads M and rates w, they supply the
 /// power `M w`.
@@ -30,7 +30,8 @@ pub trait DrivenEnergy: RigidBody {
     ) -> Self::Scalar;
 }
 
-/// [`Momentum`](super::Momentum) of a system with joints of prescribed motion: it depends on time and on inputs.
+/// [`Momentum`](super::Momentum) of a system with joints of prescribed motion: it depends on time
+/// and on inputs.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no `momentum` that depends on time or an input",
     label = "add `momentum` to its `outputs`",

@@ -17,8 +17,9 @@ use super::names::Named;
 /// A table of comma-separated values: a line with the names of the columns, then one line per
 /// value.
 ///
-/// `Display` gives it as text, and `write` (feature `std`) writes it to a file. Each number is written with the fewest digits that read back to the
-/// same bits; infinite numbers and NaN are written as `inf`, `-inf` and `NaN`.
+/// `Display` gives it as text, and `write` (feature `std`) writes it to a file. Each number has the
+/// fewest digits that read back to the same bits. Infinite numbers and NaN are `inf`, `-inf` and
+/// `NaN`.
 ///
 /// ```
 /// use newton_euler::{columns::Csv, prelude::*};

@@ -78,10 +78,10 @@ pub trait Linearized<const STATES: usize, const INPUTS: usize> {
     /// The entries of B that may be nonzero.
     const B_PATTERN: [[bool; INPUTS]; STATES];
 
-    /// A: the rates of the coordinates by the coordinates.
+    /// A: the derivatives of the rates of the coordinates with respect to the coordinates.
     fn a(&self) -> SMatrix<f64, STATES, STATES>;
 
-    /// B: the rates of the coordinates by the input.
+    /// B: the derivatives of the rates of the coordinates with respect to the input.
     fn b(&self) -> SMatrix<f64, STATES, INPUTS>;
 
     /// `x(t + h) = P x(t) + Q u`, with u held for the step h \[s\]:

@@ -1,4 +1,4 @@
-//! Linearization: the first derivatives of the motion by state and input, the steady
+//! Linearization: the first derivatives of the motion with respect to state and input, the steady
 //! motions that Newton's method finds with them, and the modes of small motions about these.
 //!
 //! The space of states is a product of straight lines and rotations. To first order a state changes

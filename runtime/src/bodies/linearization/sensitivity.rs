@@ -1,10 +1,10 @@
-//! Derivatives of accelerations by parameters.
+//! Derivatives of accelerations with respect to parameters.
 
 use nalgebra::SMatrix;
 
 use crate::bodies::body::{RigidBody, Unrequested, unrequested};
 
-/// The first derivatives of the accelerations by parameters, `outputs: [sensitivity]`.
+/// The first derivatives of the accelerations with respect to parameters, `outputs: [sensitivity]`.
 ///
 /// ```
 /// use newton_euler::prelude::*;

@@ -22,7 +22,7 @@ use crate::state::Coordinates;
 
 /// In lanes: each member moves as it would alone, to the bit. Bodies whose mass or inertia changes
 /// move one by one, because each step checks these. A member that fails in lanes is moved again
-/// alone, for its error: the steps do not look for it.
+/// alone to find its error.
 impl<B: Generic, M: RungeKutta> Moves<B> for Fixed<M> {
     type Alone = Self;
 

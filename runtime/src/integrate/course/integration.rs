@@ -19,13 +19,16 @@ pub(crate) const TOLERANCE: f64 = 1e-9;
 
 /// A body whose motion can be integrated, with the best method for it.
 ///
-/// [`rigid_body!`](crate::rigid_body) implements it: the
-/// [`ClosedForm`](crate::integrate::ClosedForm) with `outputs: [flow]`, Taylor series
-/// ([`TaylorSeries`](crate::integrate::TaylorSeries)) with `outputs: [taylor]` where they are
-/// faster than Runge–Kutta steps ([`SeriesBelow`](crate::integrate::SeriesBelow) a tolerance, if
-/// that depends on it), for all others
-/// [`RungeKuttaPair`](crate::integrate::RungeKuttaPair), under constraints
-/// [`Projected`](crate::integrate::Projected). An implementation by hand is one line:
+/// [`rigid_body!`](crate::rigid_body) implements it with one of these methods:
+///
+/// - with `outputs: [flow]`, the [`ClosedForm`](crate::integrate::ClosedForm);
+/// - with `outputs: [taylor]`, [`TaylorSeries`](crate::integrate::TaylorSeries) if they are faster
+///   than Runge-Kutta steps, or [`SeriesBelow`](crate::integrate::SeriesBelow) if that depends on
+///   the tolerance;
+/// - otherwise a [`RungeKuttaPair`](crate::integrate::RungeKuttaPair);
+/// - under constraints, [`Projected`](crate::integrate::Projected) around one of these.
+///
+/// An implementation by hand is one line:
 ///
 /// ```
 /// use newton_euler::{integrate::RungeKuttaPair, prelude::*};
@@ -203,10 +206,10 @@ where
     }
 
     /// Ends steps at these times \[s\] as well, in any order: times at which a load changes or
-    /// sets in, and which are not known otherwise. The conditions on `t` of a description
-    /// are known ([`RigidBody::switches`]). Times outside the motion are skipped. At each, all are looked
-    /// through: the time for that grows with the square of their number. Each step uses the
-    /// equations of its own side, so loads may also jump there.
+    /// begins, if they are not known otherwise. The conditions on `t` of a description are known
+    /// ([`RigidBody::switches`]). Times outside the motion are skipped. At each time the whole list
+    /// is searched, so the cost grows with the square of its length. Each step uses the equations
+    /// of its own side, so loads may also jump there.
     ///
     /// # Errors
     /// By the integration: [`IntegrationError::InvalidSetting`] if one of them is infinite or NaN.

@@ -3,8 +3,8 @@
 //!
 //! Friction along `velocity.normalize()` has no value at rest, and drives a motion to rest from
 //! every side. The error of a step over a jump J of the rates is some fraction of J times its
-//! length, so the tolerance permits steps of about tolerance / J. At 1e-9 that is a thousand
-//! million steps per second. None is lost in rounding, and no single step distinguishes such a
+//! length, so the tolerance permits steps of about tolerance / J. At 1e-9 that is a
+//! billion steps per second. None is lost in rounding, and no single step distinguishes such a
 //! motion from one that is long, or stiff.
 //!
 //! The distinction is how the step length depends on the tolerance. For a method of order p it is

@@ -6,8 +6,8 @@ use crate::bodies::body::RigidBody;
 use crate::numbers::scalar::Scalar;
 use crate::state::{Coordinates, State};
 
-/// `y' = f(t, y)` of the coordinates y of a state ([`Coordinates`]), with the input held, also a
-/// `.moving` one: the interface for general solvers.
+/// The interface for general solvers: `y' = f(t, y)`, where y are the coordinates of a state
+/// ([`Coordinates`]). All inputs are held, including those that are `.moving`.
 /// [`next_switch`](crate::integrate::next_switch) gives the times at which conditions switch.
 ///
 /// With the feature `differential-equations` it implements `ODE` of the crate of that name for

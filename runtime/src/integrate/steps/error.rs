@@ -12,8 +12,8 @@ use crate::state::{Coordinates, State};
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum IntegrationError<S> {
-    /// A number that the integration was given is impossible. All are checked before it begins; a
-    /// period of conditions that depends on inputs, when they are given.
+    /// A given number is impossible. All are checked before the integration begins, except a period
+    /// of conditions that depends on inputs: it is checked when they are given.
     InvalidSetting {
         /// \[s\]
         time: f64,

@@ -55,9 +55,9 @@ impl<'m, S: Coordinates<Scalar = f64>> Step<'m, S> {
     /// Where a function of time and state changes its sign within the step, in the order of the
     /// motion: the start does not count, the end does.
     ///
-    /// The sign is looked at in 16 places; of zeros closer to each other than these, an even number
-    /// is not seen. A zero is found to the rounding of the function and of time. What stays zero
-    /// has one where it becomes so, and none if it was from the start.
+    /// The sign is evaluated at 16 points. An even number of zeros between two such points is
+    /// missed. Zeros are found to the rounding of the function and of time. A function that stays
+    /// zero has one where it becomes zero, and none if it is zero from the start.
     ///
     /// The last item is an error where the function is not a number:
     /// [`IntegrationError::EventNotANumber`].

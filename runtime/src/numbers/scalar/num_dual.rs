@@ -27,7 +27,7 @@ use crate::numbers::math;
 ///     fields: [weight = mass * world(0, -9.80665[m / s ^ 2])],
 /// });
 ///
-/// // the second derivative of the acceleration by the angle
+/// // the second derivative of the acceleration with respect to the angle
 /// let state = generic::Hinge {
 ///     angle: NumDual(Dual2_64::from_re(0.3).derivative()),
 ///     angular_velocity: NumDual::default(),

@@ -65,8 +65,8 @@ pub enum TrimError {
         /// The quantities, two at most.
         free: [Option<Quantity>; 2],
     },
-    /// The steps lead to where an acceleration has no value: where a mass runs out, or a distance
-    /// that it is divided by.
+    /// The steps lead to where an acceleration has no value, because a mass or a distance that it
+    /// is divided by vanishes.
     Singular {
         /// The coordinate whose acceleration that is, or the condition.
         name: &'static str,

@@ -97,8 +97,8 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
     /// The quantities that may change, by their names in [`Linearized::STATES`] and
     /// [`Linearized::INPUTS`]; or a whole vector, as `"attitude"`. If there are more than the
     /// equations determine, the change from the start is least in mean square, each unknown
-    /// weighted by its effect. A quantity changes only from where it has an effect to first order:
-    /// the speed of a rotor whose thrust is its square needs a start other than zero.
+    /// weighted by its effect. A quantity changes only if it has an effect to first order: a rotor
+    /// whose thrust is proportional to the square of its speed needs a start other than zero.
     pub fn free<const K: usize>(mut self, names: [&'static str; K]) -> Self {
         let states = <B::Linearization as Linearized<N, M>>::STATES;
         let inputs = <B::Linearization as Linearized<N, M>>::INPUTS;

@@ -11,8 +11,7 @@ use crate::model::{
 use crate::symbolic::{Id, Number};
 use crate::syntax::{Expression, Kind};
 
-use super::scope::Value;
-use super::scope::{Members, Scope};
+use super::scope::{Members, Scope, Value};
 use super::written::{ONE_NUMBER, across_the_plane, axis_meant, short};
 
 /// Messages that several places use.
@@ -223,8 +222,13 @@ impl Lowering<'_> {
         what: &str,
     ) -> Option<T> {
         let place = self.culprit(expression, expected);
+        let is_weight = (expected, found) == (Dimension::FORCE, Dimension::ACCELERATION);
         let (expected, found) = (expected.described(), found.described());
-        self.report(place, format!("{what} is {expected}, and this is {found}"))
+        let mut message = format!("{what} is {expected}, and this is {found}");
+        if is_weight {
+            message += ": multiply it by a mass";
+        }
+        self.report(place, message)
     }
 
     /// The part of an otherwise correct expression that gives it a dimension other than `expected`.

@@ -129,8 +129,8 @@ pub fn check_kept(
             errors.push(
                 constraint.place.span(),
                 format!(
-                    "no unknown reaction keeps `{}`: mark one with `_` in `reactions`, with a part \
-                     against it{}",
+                    "no unknown reaction keeps `{}`: mark a component that acts against it with `_` \
+                     in `reactions`{}",
                     constraint.name,
                     smooth_support(work, constraint)
                 ),

@@ -166,7 +166,7 @@ impl Constants<'_> {
     }
 }
 
-/// Whether a number can neither be told from zero nor is proved to be zero.
+/// Whether a number cannot be distinguished from zero, and is not proved to be zero.
 fn is_undecided(graph: &Graph, id: Id) -> bool {
     graph.as_number(id).is_some_and(Number::is_undecided)
 }

@@ -48,8 +48,8 @@ pub mod accuracy {}
 #[cfg(not(feature = "pictures"))]
 pub mod gallery {}
 
-// rustdoc has no files beside its pages: of two definitions of a link it takes the first, which
-// holds the picture
+// rustdoc copies no files next to its pages, so the page contains its pictures: of two definitions
+// of a link, rustdoc takes the first, which is the picture
 #[cfg(feature = "pictures")]
 #[cfg_attr(doc, doc = include_str!("gallery_data.md"))]
 #[doc = include_str!("gallery.md")]

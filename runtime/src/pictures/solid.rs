@@ -91,7 +91,7 @@ impl Solid {
         let [from, to] = [from, to].map(Vector3::from);
         let along = to - from;
         let turn = UnitQuaternion::rotation_between(&Vector3::z(), &along);
-        // against z either way round
+        // opposite to z, a cuboid looks the same without a turn
         let turn = turn.unwrap_or_default();
         Self::cuboid([width, width, along.norm()]).moved(&Pose {
             position: (from + to) * 0.5,

@@ -103,7 +103,7 @@ impl Scope {
         let defined = definitions.map(|definition| definition.name.to_string());
         let locals = description.locals.iter();
         let defined: HashSet<String> = declared.chain(defined).chain(foreign).collect();
-        // a rate of no state is reported
+        // a rate that belongs to no state is reported
         let rates = description.rates.iter().map(|rate| rate.name.to_string());
         let stateless = rates.filter(|name| !defined.contains(name));
         Self {

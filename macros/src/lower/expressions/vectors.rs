@@ -274,7 +274,7 @@ impl Lowering<'_> {
                 "a component in which axes? write `.in_body().{field}` or `.in_world().{field}`"
             )
         };
-        // the axes of a local can be chosen where it is defined, so they are asked for once
+        // the axes of a local can be chosen where it is defined, so the error is reported once
         if let Kind::Name(name) = &receiver.kind
             && self.scope.is_local(&name.to_string())
         {

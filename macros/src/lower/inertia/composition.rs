@@ -171,8 +171,7 @@ impl Lowering<'_> {
         let form = base(&part.form);
         match &form.kind {
             Kind::Poisoned => None,
-            // the only error is that forms cannot be added or multiplied, which is reported
-            // elsewhere
+            // its error, reported elsewhere, is that forms cannot be added or multiplied
             Kind::Chain(..) | Kind::Prefix(..) if !self.motion.has_one_moment() => None,
             Kind::Call(word, _) | Kind::Record(word, _) => self.report(word.span(), NO_MASS),
             _ => self.report(form.extent, NO_MASS),

@@ -80,7 +80,7 @@ impl Lowering<'_> {
         let is_odd = |field: &(Ident, Expression)| entry_meant(&field.0.to_string()).is_some();
         let first_odd = fields.iter().position(is_odd);
         for (index, (name, value)) in fields.iter().enumerate() {
-            // letters in front of the names are one mistake
+            // letters in front of several names are one mistake
             if first_odd.is_some_and(|first| first < index) && is_odd(&fields[index]) {
                 continue;
             }

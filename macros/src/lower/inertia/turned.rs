@@ -150,8 +150,7 @@ fn outer(graph: &mut Graph, a: Components) -> Matrix {
 fn from_dyads(graph: &mut Graph, lambda: Id, dyads: &[(Id, Matrix)]) -> Matrix {
     [0, 1, 2].map(|i| {
         [0, 1, 2].map(|j| {
-            // lambda times what the dyads leave of the unit matrix: no difference of moments is
-            // taken
+            // lambda times the unit matrix without the dyads: moments are not subtracted
             let mut rest = if i == j { graph.one() } else { graph.zero() };
             let mut sum = graph.zero();
             for (moment, dyad) in dyads {

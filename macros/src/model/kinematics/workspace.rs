@@ -31,8 +31,8 @@ pub struct Workspace {
     /// The frame that each frame is a copy of, or itself.
     originals: Vec<Frame>,
     pub(super) vectors: Vectors,
-    /// Of vectors whose length is known, and which have fewer components in the frame in which it was
-    /// taken: its square, and the vector in that frame.
+    /// For each vector whose length was taken in a frame in which it has fewer components: the square
+    /// of the length, and the vector in that frame.
     pub(super) gathered: HashMap<Vector, (Id, Vector)>,
     /// Rotated vectors that are kept apart, while potentials are read.
     pub turns: Option<Turns>,

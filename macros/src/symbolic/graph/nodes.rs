@@ -125,7 +125,7 @@ impl Node {
         self.words_with(self.operands_in_place().0)
     }
 
-    /// The same with the images of the operands, in an order of its own in sums and products.
+    /// The same with the images of the operands; those of sums and products are sorted.
     pub(super) fn words_of(&self, image: impl Fn(Id) -> Id) -> u128 {
         let (mut operands, count) = self.operands_in_place();
         for operand in &mut operands[..count] {

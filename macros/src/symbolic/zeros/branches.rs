@@ -57,7 +57,7 @@ impl Graph {
         conditions
     }
 
-    /// `roots` where these are the outcomes of the conditions.
+    /// `roots` on the branch in which the conditions have these outcomes.
     pub fn on_side(&mut self, roots: &[Id], holds: impl Fn(Id) -> bool) -> Vec<Id> {
         self.rebuild(roots, |graph, id, image| match graph.sides(id) {
             Some((condition, first, second)) => {

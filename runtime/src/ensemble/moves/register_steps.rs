@@ -100,7 +100,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
             }
             for (lane, way) in self.each.iter_mut().enumerate().take(self.count) {
                 let now = way.time();
-                // a member that is there needs the stretch of its last step
+                // a member that has arrived needs the stretch of its last step
                 if way.goes && limits.is_before(now, self.times.end) {
                     limits.until(member, &mut way.stretch, now, lane);
                 }
@@ -210,7 +210,7 @@ impl<'e, M: RungeKutta> Ways<'e, M> {
             } = &mut motion.run.track;
             copy(&mut now.coordinates, &coordinates, lane);
             copy(&mut now.lost, &lost, lane);
-            // a step that ends at the time of its end is not looked into
+            // a step that ends at the requested time is not interpolated
             if way.has_moved && self.limits.is_before(self.times.end, now.time) {
                 last.0 = since.lane(lane);
                 copy(&mut last.1, &before, lane);

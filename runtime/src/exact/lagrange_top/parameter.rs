@@ -166,7 +166,7 @@ impl Form {
         let [parameter, above] = self.parameter;
         let product = cn * dn;
         let root = math::sqrt(cn * cn + above * (sn * sn));
-        // on the separatrix, after long
+        // on the separatrix, after a long time
         let inverse = if root > 0.0 { 1.0 / root } else { 0.0 };
         if self.is_modulus {
             let velocity = Complex::new(near * parameter * sn * product, far);

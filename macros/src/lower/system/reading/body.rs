@@ -162,7 +162,7 @@ impl<'a> Reader<'a> {
             draft.scope.define(name, *value);
         }
         let mut state = draft.state.take().unwrap_or_else(|| State {
-            // its joint is reported: nothing follows from it for the inertia
+            // the error in its joint is reported, and says nothing about the inertia
             swings: true,
             ..still(draft.frame, self.time)
         });

@@ -316,7 +316,7 @@ impl<'w> Balances<'w> {
             }
             block.later.push((number, slopes));
         }
-        // the fixed part has no inertia along its own way
+        // the fixed part has no inertia along its own coordinate
         let way = block.way.as_ref().map(|way| way.coordinate);
         for (coordinate, balance) in self.all.iter_mut().enumerate() {
             if self.open[coordinate] && way != Some(coordinate) {

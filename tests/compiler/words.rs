@@ -290,7 +290,7 @@ fn units_are_spelt_as_readers_would() {
         ("J * s", "N * m * s"),
         ("kg * m ^ 2", "kg * m ^ 2"),
         ("C / s", "A"),
-        ("m / s ^ 2", "m / s ^ 2"),
+        ("m / s ^ 2", "m / s ^ 2: multiply it by a mass"),
     ] {
         let entries = format!("forces: [push = world(1[{written}], 0)]");
         let expected = format!("a force is in N, and this is in {shown}");

@@ -461,3 +461,34 @@ fn an_armature_in_a_loop_of_the_plane() {
         1e-12,
     );
 }
+
+rigid_system!(Hoist {
+    motion: planar,
+    params: [rotor = 2e-5[kg * m ^ 2], ratio = 30, play = 0[kg]],
+    bodies: [
+        drum {
+            mass: 1[kg],
+            inertia: 0.5[kg * m ^ 2]
+        },
+        load {
+            mass: 3[kg],
+            inertia: 0.1[kg * m ^ 2]
+        },
+    ],
+    joints: [
+        axle = revolute(world(0, 0), drum.G).armature(rotor * ratio.powi(2)),
+        lift = prismatic(world(1, 0)[m], load.G, body(0, 1)).armature(play - 1[kg] + 1[kg]),
+    ],
+});
+
+#[test]
+fn an_armature_of_params_is_not_negative() {
+    let own = *Hoist::default().params();
+    assert!(Hoist::new(HoistParams { rotor: 0.0, ..own }).is_ok());
+    let error = |params| Hoist::new(params).unwrap_err().to_string();
+    let found = error(HoistParams { rotor: -0.5, ..own });
+    assert_eq!(found, "the armature of `axle` cannot be -450");
+    // otherwise the load would fall upwards
+    let found = error(HoistParams { play: -5.0, ..own });
+    assert_eq!(found, "the armature of `lift` cannot be -5");
+}

@@ -27,6 +27,7 @@ use crate::model::{Connection, Constraint, Member, Outline, System, TreeJoint, W
 use crate::symbolic::{Components, Id};
 use crate::syntax;
 
+use joints::armatures;
 use reading::body::{Draft, common_gravity};
 use reading::names::{check_loads, for_copy};
 use reading::reader::Reader;
@@ -82,6 +83,7 @@ fn lower_system(
     check_loads(system, outline, &constraints.list, errors);
     let mistakes = checks.mistakes;
     check_motion(outline, &work, (&bodies, &joints), (mistakes, errors));
+    let armatures = armatures(&joints);
     let system = System {
         is_planar: system.is_planar,
         bodies,
@@ -96,7 +98,7 @@ fn lower_system(
         energies: between.energies,
         cables: between.cables,
         links,
-        properties: [lengths, between.properties].concat(),
+        properties: [lengths, between.properties, armatures].concat(),
         derivatives,
         is_differentiated: outline.asks_for(&[LINEARIZATION, FLOW]),
         defaults: reader.defaults,

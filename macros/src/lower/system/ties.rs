@@ -103,7 +103,7 @@ impl Reader<'_> {
     }
 
     /// The numerical value of an expression with the defaults of parameters, if it has one.
-    fn with_defaults(&mut self, value: Id) -> Option<Number> {
+    pub fn with_defaults(&mut self, value: Id) -> Option<Number> {
         let defaults = &self.defaults;
         let graph = &mut self.work.graph;
         let known = graph.substitute(&[value], |id| defaults.get(&id).copied());

@@ -129,8 +129,8 @@ pub struct Tie {
     pub bodies: [Option<Ident>; 2],
 }
 
-/// A property that is finite and not negative: of a link or a cable, or the inertia of a body with
-/// added mass.
+/// A property that is finite and not negative: of a link or a cable, the armature of a joint, or the
+/// inertia of a body with added mass.
 #[derive(Clone)]
 pub struct Property {
     /// What it belongs to.

@@ -35,12 +35,15 @@ pub enum InvalidBody {
         /// The given value \[kg m²\].
         value: f64,
     },
-    /// The length of a link is not a positive finite number, a property of a cable is negative or not
-    /// finite, or loads that resist accelerations take away more inertia than there is.
+    /// The length of a link is not a positive finite number, a property of a cable or the armature of
+    /// a joint is negative or not finite, or loads that resist accelerations take away more inertia
+    /// than there is.
     Property {
-        /// The name of the link or the cable, or of the body or the joint whose inertia is taken away.
+        /// The name of the link, the cable or the joint, or of the body or the joint whose inertia is
+        /// taken away.
         of: &'static str,
-        /// `length`, `stiffness`, `inertia with added mass`, `added mass` or `armature with its drive`.
+        /// `length`, `stiffness`, `armature`, `inertia with added mass`, `added mass` or
+        /// `armature with its drive`.
         property: &'static str,
         /// The given value \[m, N/m, kg or kg m²\].
         value: f64,

@@ -3,7 +3,7 @@
 use crate::errors::Errors;
 use crate::lower::expressions::Lowering;
 use crate::lower::system::reading::reader::Reader;
-use crate::model::{Dimension, JointKind, Part};
+use crate::model::{Dimension, JointKind, Part, Property, TreeJoint, shown};
 use crate::symbolic::{Id, Number};
 use crate::syntax::{Called, Expression};
 
@@ -43,15 +43,22 @@ impl Reader<'_> {
             errors.push(word.span(), message);
             return None;
         };
-        self.at_top(errors, |lowering| constant(lowering, value, dimension))
-            .map(Some)
+        let armature = self.at_top(errors, |lowering| constant(lowering, value, dimension))?;
+        let known = self.with_defaults(armature);
+        if let Some(number) = known.filter(is_negative) {
+            let number = shown(&number);
+            let message = format!(
+                "with the defaults of the parameters this is {number}: {WHAT} is not negative"
+            );
+            return errors.report(value.extent, message);
+        }
+        Some(Some(armature))
     }
 }
 
 fn constant(lowering: &mut Lowering<'_>, written: &Expression, dimension: Dimension) -> Option<Id> {
     let value = lowering.scalar(written, dimension, WHAT)?;
     lowering.check_early(written, &[value], &format!("{WHAT} is fixed"))?;
-    let is_negative = |number: &Number| !number.is_zero() && !number.is_positive();
     if lowering
         .work
         .graph
@@ -61,4 +68,21 @@ fn constant(lowering: &mut Lowering<'_>, written: &Expression, dimension: Dimens
         return lowering.report(written.extent, format!("{WHAT} is not negative"));
     }
     Some(value)
+}
+
+fn is_negative(number: &Number) -> bool {
+    !number.is_zero() && !number.is_positive()
+}
+
+/// The armatures, which `new` checks if they depend on parameters.
+pub fn armatures(joints: &[TreeJoint]) -> Vec<Property> {
+    let written = joints.iter().filter_map(|joint| {
+        Some(Property {
+            of: joint.name.clone(),
+            word: "armature",
+            value: joint.armature?,
+            may_vanish: true,
+        })
+    });
+    written.collect()
 }

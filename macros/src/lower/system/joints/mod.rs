@@ -10,3 +10,5 @@ pub mod joint;
 mod motion;
 mod motion_values;
 mod tree;
+
+pub use armature::armatures;

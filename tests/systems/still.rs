@@ -342,3 +342,26 @@ fn a_truss_by_the_method_of_joints() {
         );
     }
 }
+
+rigid_system!(Shelf {
+    motion: planar,
+    bodies: [board {
+        mass: 4[kg],
+        inertia: rod(1[m]),
+        points: [left = (-0.5, 0)[m], right = (0.5, 0)[m]],
+    }],
+    joints: [
+        wall = weld(world(0, 2)[m], board.left),
+        post = weld(world(1, 2)[m], board.right),
+    ],
+    fields: [weight = mass * world(0, -9.81[m / s ^ 2])],
+    outputs: [energy],
+});
+
+/// It is held more than once, so its reactions are not determined, but its energy is.
+#[test]
+fn a_structure_that_is_held_twice_has_an_energy() {
+    let (shelf, state) = (Shelf::default(), Still::default());
+    let energy = shelf.potential_energy(0.0, &state, &());
+    assert!((energy - 4.0 * 9.81 * 2.0).abs() < 1e-13);
+}

@@ -23,7 +23,8 @@ struct Kept {
 
 impl<S: Subject> Output<S> for Constrained {
     fn place(&self, outline: &Outline) -> Option<Place> {
-        outline.is_constrained.then_some(Place::First)
+        // where nothing moves by itself, there is no state to project
+        (outline.is_constrained && !outline.is_still()).then_some(Place::First)
     }
 
     fn derive(&mut self, basis: &mut Basis<'_, S>) -> Option<()> {

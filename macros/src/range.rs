@@ -1,6 +1,8 @@
 //! Constants of the equations that do not fit in a double.
 
-use crate::model::{Defaults, Outline, Substance, Workspace, is_possible, why_not};
+use crate::model::{
+    Defaults, Outline, Substance, Violation, Workspace, is_possible, matrix, why_not,
+};
 use crate::symbolic::{Graph, Id, Node, Number, Stage};
 
 use super::errors::Errors;
@@ -116,8 +118,9 @@ impl Constants<'_> {
     }
 
     /// Reports an inertia that is possible as written, but that the constructor would reject with
-    /// the defaults of all parameters, because it computes in doubles.
-    fn check_rounded(&self, body: &Substance, work: &Workspace, errors: &mut Errors) {
+    /// the defaults of all parameters, because it computes in doubles, or because nothing of it is
+    /// left about what holds the body.
+    fn check_rounded(&self, body: &Substance, work: &mut Workspace, errors: &mut Errors) {
         let (outline, entries) = (self.outline, body.inertia_entries());
         let graph = &work.graph;
         let is_open = entries
@@ -126,15 +129,38 @@ impl Constants<'_> {
         if !is_open || !graph.are_early(&entries) || !outline.has_default() {
             return;
         }
-        if !is_possible(&self.rounded(work, &entries), body.swings) {
-            errors.push(
-                outline.name.span(),
-                format!(
-                    "with the defaults of its parameters the inertia of `{}` about G is lost in \
-                 rounding: write it about a point nearer to G",
-                    outline.name
-                ),
-            );
+        if is_possible(&self.rounded(work, &entries), body.swings) {
+            return;
+        }
+        let name = &outline.name;
+        let message = if self.vanishes(body, work) {
+            let own = body.name.clone().unwrap_or_else(|| name.to_string());
+            format!(
+                "with the defaults of the parameters `{own}` has no inertia about what holds it: hold it \
+                 beside its G, or give it an inertia"
+            )
+        } else {
+            format!(
+                "with the defaults of its parameters the inertia of `{name}` about G is lost in rounding: \
+                 write it about a point nearer to G"
+            )
+        };
+        errors.push(name.span(), message);
+    }
+
+    /// Whether an inertia that is impossible in doubles is so exactly: that of a point mass or a rod
+    /// about the point or the axis that holds it.
+    fn vanishes(&self, body: &Substance, work: &mut Workspace) -> bool {
+        let (graph, entries) = (&mut work.graph, body.inertia.entries());
+        let known = graph.substitute(&entries, |id| self.defaults.get(&id).copied());
+        let numbers = known.iter().map(|id| graph.as_number(*id).cloned());
+        let numbers: Option<Vec<Number>> = numbers.collect();
+        match numbers.as_deref() {
+            Some([moment]) => !moment.is_positive(),
+            Some(rows @ [_, _, _, _, _, _, _, _, _]) => {
+                Violation::impossible(&matrix(rows)).is_some()
+            }
+            _ => false,
         }
     }
 

@@ -21,6 +21,8 @@ rigid_body!(Wing {
         at = world(table(position, [0, 1], [1, 2]), 0, 0),
         word = world(table(a, [0, 1], [1, 2], cubik), 0, 0),
         list = world([0, 1], 0, 0),
+        again = world(table(a, [0, 1], [1, 2], cubic, extrapolated, cubic), 0, 0),
+        both = world(table(a, [0, 1], [1, 2], held, extrapolated), 0, 0),
     ],
 });
 

@@ -98,6 +98,10 @@ impl Lowering<'_> {
     fn draft(&mut self, written: &Expression, context: Context<'_>) -> Option<Draft> {
         match &written.kind {
             Kind::Unit(inner, unit) if !is_scalar(inner) => self.in_unit(inner, unit, context),
+            Kind::Method(inner, method, _) if is_repeated(inner, method) => self.report(
+                method.span(),
+                format!("`.{method}(..)` is written twice: leave one of them out"),
+            ),
             Kind::Method(inner, method, arguments) if method == "about" => {
                 let draft = self.draft(inner, context);
                 let [point] = arguments.as_slice() else {
@@ -294,6 +298,18 @@ fn is_zero(written: &Expression) -> bool {
     match &written.kind {
         Kind::Number(digits) => Number::parse(digits).is_some_and(|number| number.is_zero()),
         Kind::Unit(inner, _) => is_zero(inner),
+        _ => false,
+    }
+}
+
+/// Whether an inertia has one of these methods already: it is about one point, and along one direction.
+fn is_repeated(inner: &Expression, method: &Ident) -> bool {
+    if method != "about" && method != "along" {
+        return false;
+    }
+    match &inner.kind {
+        Kind::Method(further, earlier, _) => earlier == method || is_repeated(further, method),
+        Kind::Unit(further, _) => is_repeated(further, method),
         _ => false,
     }
 }

@@ -22,19 +22,15 @@ const OF_FILES: &str = "a table of a file is read at one scalar, `table(x, \"lif
      `table(x, \"polar.csv\", \"drag\")`, or at two, `table(x, y, \"lift.csv\")`";
 /// How a table is interpolated between its values, and continued beyond them.
 const WORDS: [&str; 4] = ["linear", "cubic", "held", "extrapolated"];
+/// The same in pairs: one of each pair may be written.
+const CHOICES: [[&str; 2]; 2] = [["linear", "cubic"], ["held", "extrapolated"]];
 
 impl Lowering<'_> {
     pub fn table(&mut self, word: &Ident, arguments: &[Expression]) -> Option<Value> {
         let is_word = |one: &&Expression| matches!(&one.kind, Kind::Name(name) if WORDS.contains(&&*name.to_string()));
         let words = arguments.iter().rev().take_while(is_word).count();
         let (written, words) = arguments.split_at(arguments.len() - words);
-        let mut course = Course::default();
-        for one in words {
-            if let Kind::Name(name) = &one.kind {
-                course.is_cubic |= name == "cubic";
-                course.is_extrapolated |= name == "extrapolated";
-            }
-        }
+        let course = self.course(words)?;
         let is_text = |one: &&Expression| matches!(strip_unit(one).kind, Kind::Text(_));
         match written {
             [_, .., last] if is_text(&last) => self.table_of_file(written, course),
@@ -55,6 +51,34 @@ impl Lowering<'_> {
             }
             [] => self.report(word.span(), FORM),
         }
+    }
+
+    /// What the words at the end of a table say: at most one of each pair.
+    fn course(&mut self, words: &[Expression]) -> Option<Course> {
+        let mut course = Course::default();
+        let mut said: [Option<&Ident>; 2] = [None; 2];
+        for one in words {
+            let Kind::Name(name) = &one.kind else {
+                continue;
+            };
+            let choice = CHOICES
+                .iter()
+                .position(|pair| pair.iter().any(|word| name == word))?;
+            match said[choice].replace(name) {
+                Some(first) if first == name => {
+                    return self.report(name.span(), format!("`{name}` is written twice"));
+                }
+                Some(first) => {
+                    let message =
+                        format!("a table is `{first}` or `{name}`: leave one of them out");
+                    return self.report(name.span(), message);
+                }
+                None => {}
+            }
+            course.is_cubic |= name == "cubic";
+            course.is_extrapolated |= name == "extrapolated";
+        }
+        Some(course)
     }
 
     /// `(x, "lift.csv")`, `(x, "polar.csv", "drag")` or `(x, y, "lift.csv")`. A unit after the last

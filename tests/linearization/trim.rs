@@ -386,3 +386,17 @@ fn a_fixed_wing_is_trimmed_as_by_hand() {
     assert!((found.input.thrust / thrust(low) - 1.0).abs() < 1e-14);
     assert_eq!((found.undetermined, found.drift().amax() < 1e-9), (0, true));
 }
+
+#[test]
+fn a_motion_in_the_plane_turns_about_z() {
+    let ahead = Planar {
+        velocity: Vector2::new(48.0, 0.0),
+        ..Planar::default()
+    };
+    let plane = Plane::default();
+    for axis in [[0.1, 0.0, 0.0], [0.0, 0.1, 0.2]] {
+        let search = plane.trim(&ahead).turning(axis);
+        let found = search.free(["angle", "thrust", "elevator"]).solve();
+        assert_eq!(found.unwrap_err(), TrimError::OutOfPlane);
+    }
+}

@@ -39,6 +39,8 @@ pub enum TrimError {
     },
     /// A steady turn of a system without a freely moving body: nothing could turn.
     NothingTurns,
+    /// A steady turn of a motion in the plane, about an axis that is not along z.
+    OutOfPlane,
     /// More constraints and conditions than twice the coordinates of the state.
     TooMany,
     /// A number of the start, or the acceleration there, is infinite or NaN.
@@ -96,6 +98,9 @@ impl fmt::Display for TrimError {
             Self::Unknown { name } => write!(
                 f,
                 "no coordinate and no input is called `{name}`: the names are those of `STATES` and `INPUTS` of the linearization"
+            ),
+            Self::OutOfPlane => f.write_str(
+                "a motion in the plane turns about z: write `.turning([0.0, 0.0, rate])`",
             ),
             Self::NothingTurns => f.write_str(
                 "no body moves freely, so that nothing turns with the world: give the rates of joints in the state",

@@ -12,6 +12,7 @@ use super::steady::{About, Steady};
 use super::trimmed::Trimmed;
 use crate::bodies::linearization::coordinated::Coordinated;
 use crate::bodies::linearization::matrices::Linearized;
+use crate::bodies::linearization::place::Place;
 use crate::state::Coordinates as _;
 
 /// Steady motions and equilibria of bodies and systems with `outputs: [linearization]`.
@@ -228,6 +229,10 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         }
         if !is_finite(&newton) {
             return Err(TrimError::NotFinite { load: None });
+        }
+        let leaves_plane = |turning: &Vector3<f64>| turning.x != 0.0 || turning.y != 0.0;
+        if B::PLACES.contains(&Place::Heading) && turning.as_ref().is_some_and(leaves_plane) {
+            return Err(TrimError::OutOfPlane);
         }
         let start = newton.start();
         if start.about.rows.is_full() || start.about.kept.len() > N {

@@ -41,7 +41,8 @@ impl Lowering<'_> {
 
     /// Points, locals and the mass, in order of dependency.
     pub fn definitions(&mut self, description: &Description, defaults: &Defaults) -> Mass {
-        let (order, circular) = definition_order(description, self.errors);
+        let (order, circular) =
+            definition_order(description, |name| self.scope.is_lost(name), self.errors);
         let mut mass = match description.mass {
             Some(_) => Mass::Reported,
             // a missing mass is reported elsewhere

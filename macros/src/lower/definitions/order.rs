@@ -26,9 +26,11 @@ struct References<'d> {
 }
 
 /// The points, locals and the mass in an order in which they can be read, and those that cannot be
-/// read because they depend on a cycle. Each cycle is reported once.
+/// read because they depend on a cycle. Each cycle is reported once, unless a name in it is ambiguous
+/// and may not mean this definition.
 pub fn definition_order(
     description: &Description,
+    is_ambiguous: impl Fn(&str) -> bool,
     errors: &mut Errors,
 ) -> (Vec<Definition>, Vec<Definition>) {
     let references = References::find(description);
@@ -38,7 +40,12 @@ pub fn definition_order(
         .map(|index| references.definitions[*index].1)
         .collect();
     while let Some(circle) = references.circle(&left) {
-        references.report(&circle, errors);
+        if !circle
+            .iter()
+            .any(|(_, name)| is_ambiguous(&name.to_string()))
+        {
+            references.report(&circle, errors);
+        }
         for (index, _) in circle {
             left.remove(&index);
         }

@@ -114,7 +114,7 @@ impl Lowering<'_> {
     /// Reads the locals again, with rotated vectors kept apart.
     pub fn locals_apart(&mut self, description: &Description) {
         // cycles are already reported
-        let (order, _) = silently(|errors| definition_order(description, errors));
+        let (order, _) = silently(|errors| definition_order(description, |_| false, errors));
         for definition in order {
             let (Definition::Local(_), (name, Some(written))) =
                 (definition, definition.of(description))

@@ -182,7 +182,10 @@ impl System {
                 self.top.keys.push(key.clone());
             }
             self.parse_list(list, example, key, rest, errors);
-        } else if word == "drawing" {
+        } else if word == "drawing" || similar(&word, ["drawing"]).is_some() {
+            if word != "drawing" {
+                report_unknown(key, Some("drawing"), errors);
+            }
             self.parse_drawing(key, rest, errors);
         } else if file::KEYS.contains(&word.as_str()) {
             let other = self

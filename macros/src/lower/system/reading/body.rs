@@ -58,7 +58,8 @@ impl<'a> Reader<'a> {
             late: Vec::new(),
             state: Some(self.unknown_state(frame)),
         };
-        let (order, circular) = definition_order(body, errors);
+        let is_ambiguous = |name: &str| draft.scope.is_lost(name);
+        let (order, circular) = definition_order(body, is_ambiguous, errors);
         let (first, _) = split_at_points(body, &order);
         let defaults = self.defaults.clone();
         let late = self.in_body(&mut draft, errors, |lowering, mass| {
@@ -238,7 +239,7 @@ impl<'a> Reader<'a> {
     ) -> Option<Member> {
         let body = draft.description;
         // cycles are already reported
-        let (order, _) = silently(|errors| definition_order(body, errors));
+        let (order, _) = silently(|errors| definition_order(body, |_| false, errors));
         let (_, rest) = split_at_points(body, &order);
         let defaults = self.defaults.clone();
         let fields = &self.system.top.loads;

@@ -57,7 +57,7 @@ impl Reader<'_> {
         let fields = &self.system.top.loads;
         // all errors are already reported
         silently(|errors| {
-            let (order, _) = definition_order(body, errors);
+            let (order, _) = definition_order(body, |_| false, errors);
             let (_, rest) = split_at_points(body, &order);
             self.in_body(draft, errors, |lowering, mass| {
                 for definition in rest {

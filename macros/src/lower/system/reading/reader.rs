@@ -104,6 +104,7 @@ impl<'a> Reader<'a> {
         let mut circles = Errors::default();
         let (order, circular) = definition_order(
             &self.system.top,
+            |name| self.scope.is_lost(name),
             if is_late { errors } else { &mut circles },
         );
         let _ = circles.finish();

@@ -20,14 +20,13 @@ const FORM: &str = "write `table(x, [0, 1, 2], [0, 1, 4])`: a scalar, where the 
      `table(x, y, [0, 1], [0, 1, 2], [[0, 1, 4], [1, 2, 5]])`, a list of values for each x";
 const OF_FILES: &str = "a table of a file is read at one scalar, `table(x, \"lift.csv\")`, with the name of a column \
      `table(x, \"polar.csv\", \"drag\")`, or at two, `table(x, y, \"lift.csv\")`";
-/// How a table is interpolated between its values, and continued beyond them.
-const WORDS: [&str; 4] = ["linear", "cubic", "held", "extrapolated"];
-/// The same in pairs: one of each pair may be written.
+/// How a table is interpolated between its values, and how it is continued beyond them.
 const CHOICES: [[&str; 2]; 2] = [["linear", "cubic"], ["held", "extrapolated"]];
 
 impl Lowering<'_> {
     pub fn table(&mut self, word: &Ident, arguments: &[Expression]) -> Option<Value> {
-        let is_word = |one: &&Expression| matches!(&one.kind, Kind::Name(name) if WORDS.contains(&&*name.to_string()));
+        let is_known = |name: &Ident| CHOICES.as_flattened().iter().any(|word| name == word);
+        let is_word = |one: &&Expression| matches!(&one.kind, Kind::Name(name) if is_known(name));
         let words = arguments.iter().rev().take_while(is_word).count();
         let (written, words) = arguments.split_at(arguments.len() - words);
         let course = self.course(words)?;
@@ -42,8 +41,8 @@ impl Lowering<'_> {
                 if let Kind::Name(name) = &last.kind
                     && written.len() == 4
                 {
-                    let hint = hint(&name.to_string(), WORDS);
-                    let words = WORDS.join("`, `");
+                    let hint = hint(&name.to_string(), CHOICES.as_flattened().iter().copied());
+                    let words = CHOICES.as_flattened().join("`, `");
                     let message = format!("expected one of `{words}`{hint}");
                     return self.report(name.span(), message);
                 }

@@ -9,7 +9,7 @@ use crate::model::{Defaults, Dimension, Frame, Mass, Outline, Point, Workspace, 
 use crate::symbolic::{Graph, Id};
 use crate::syntax::{Composition, Description, Expression, Kind};
 
-use super::order::{Definition, definition_order, split_at_axis, split_at_support};
+use super::order::{Definition, check_circles, definition_order, split_at_axis, split_at_support};
 use super::outline;
 
 impl Lowering<'_> {
@@ -41,8 +41,8 @@ impl Lowering<'_> {
 
     /// Points, locals and the mass, in order of dependency.
     pub fn definitions(&mut self, description: &Description, defaults: &Defaults) -> Mass {
-        let (order, circular) =
-            definition_order(description, |name| self.scope.is_lost(name), self.errors);
+        check_circles(description, |name| self.scope.is_lost(name), self.errors);
+        let (order, circular) = definition_order(description);
         let mut mass = match description.mass {
             Some(_) => Mass::Reported,
             // a missing mass is reported elsewhere

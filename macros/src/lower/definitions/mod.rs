@@ -13,5 +13,5 @@ mod support;
 
 pub use changing::check_changing;
 pub use names::{check_distinct, check_names, unused};
-pub use order::{Definition, definition_order, split_at_points};
+pub use order::{Definition, check_circles, definition_order, split_at_points};
 pub use outline::{FLOW, INVERSE, LINEARIZATION, Offer, outline_under};

@@ -26,34 +26,35 @@ struct References<'d> {
 }
 
 /// The points, locals and the mass in an order in which they can be read, and those that cannot be
-/// read because they depend on a cycle. Each cycle is reported once, unless a name in it is ambiguous
-/// and may not mean this definition.
-pub fn definition_order(
+/// read because they depend on a cycle.
+pub fn definition_order(description: &Description) -> (Vec<Definition>, Vec<Definition>) {
+    let references = References::find(description);
+    let (order, left) = references.sort();
+    let definition = |index: usize| references.definitions[index].1;
+    (
+        order.into_iter().map(definition).collect(),
+        left.into_iter().map(definition).collect(),
+    )
+}
+
+/// Reports each cycle of definitions once, unless a name in it is ambiguous and may not mean this
+/// definition.
+pub fn check_circles(
     description: &Description,
     is_ambiguous: impl Fn(&str) -> bool,
     errors: &mut Errors,
-) -> (Vec<Definition>, Vec<Definition>) {
+) {
     let references = References::find(description);
-    let (order, mut left) = references.sort();
-    let unread = left
-        .iter()
-        .map(|index| references.definitions[*index].1)
-        .collect();
+    let (_, mut left) = references.sort();
     while let Some(circle) = references.circle(&left) {
-        if !circle
-            .iter()
-            .any(|(_, name)| is_ambiguous(&name.to_string()))
-        {
+        let mut mentions = circle.iter().map(|(_, mention)| mention.to_string());
+        if !mentions.any(|mention| is_ambiguous(&mention)) {
             references.report(&circle, errors);
         }
         for (index, _) in circle {
             left.remove(&index);
         }
     }
-    let order = order
-        .into_iter()
-        .map(|index| references.definitions[index].1);
-    (order.collect(), unread)
 }
 
 impl Definition {

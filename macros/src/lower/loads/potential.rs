@@ -5,7 +5,7 @@
 //! and in world axes, either part can be rotated. Then there are two forms, and mechanics takes the
 //! cheaper one.
 
-use crate::errors::{every, silently};
+use crate::errors::every;
 use crate::lower::definitions::{Definition, definition_order};
 use crate::lower::expressions::{Lowering, is_drive, is_unknown};
 use crate::model::{Charges, Dimension, Displaced, Form, Frame, Potential, Potentials, Turns};
@@ -113,8 +113,7 @@ impl Lowering<'_> {
 
     /// Reads the locals again, with rotated vectors kept apart.
     pub fn locals_apart(&mut self, description: &Description) {
-        // cycles are already reported
-        let (order, _) = silently(|errors| definition_order(description, |_| false, errors));
+        let (order, _) = definition_order(description);
         for definition in order {
             let (Definition::Local(_), (name, Some(written))) =
                 (definition, definition.of(description))

@@ -4,9 +4,11 @@
 use std::collections::HashSet;
 use std::ops::Range;
 
-use crate::errors::{Errors, Extent, every, silently};
+use crate::errors::{Errors, Extent, every};
 use crate::families::LoadKind;
-use crate::lower::definitions::{Definition, check_names, definition_order, split_at_points};
+use crate::lower::definitions::{
+    Definition, check_circles, check_names, definition_order, split_at_points,
+};
 use crate::lower::expressions::{BodyNames, Lowering, Scope, Value};
 use crate::model::{
     Composed, Declared, Dimension, Drawn, Frame, Inertia, Load, Mass, Meaning, Member, State,
@@ -58,8 +60,8 @@ impl<'a> Reader<'a> {
             late: Vec::new(),
             state: Some(self.unknown_state(frame)),
         };
-        let is_ambiguous = |name: &str| draft.scope.is_lost(name);
-        let (order, circular) = definition_order(body, is_ambiguous, errors);
+        check_circles(body, |name| draft.scope.is_lost(name), errors);
+        let (order, circular) = definition_order(body);
         let (first, _) = split_at_points(body, &order);
         let defaults = self.defaults.clone();
         let late = self.in_body(&mut draft, errors, |lowering, mass| {
@@ -238,8 +240,7 @@ impl<'a> Reader<'a> {
         errors: &mut Errors,
     ) -> Option<Member> {
         let body = draft.description;
-        // cycles are already reported
-        let (order, _) = silently(|errors| definition_order(body, |_| false, errors));
+        let (order, _) = definition_order(body);
         let (_, rest) = split_at_points(body, &order);
         let defaults = self.defaults.clone();
         let fields = &self.system.top.loads;

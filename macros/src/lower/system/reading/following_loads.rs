@@ -55,9 +55,9 @@ impl Reader<'_> {
     fn loads_again(&mut self, draft: &mut Draft<'_>, names: &[String]) -> Option<Vec<Load>> {
         let (body, defaults) = (draft.description, self.defaults.clone());
         let fields = &self.system.top.loads;
+        let (order, _) = definition_order(body);
         // all errors are already reported
         silently(|errors| {
-            let (order, _) = definition_order(body, |_| false, errors);
             let (_, rest) = split_at_points(body, &order);
             self.in_body(draft, errors, |lowering, mass| {
                 for definition in rest {

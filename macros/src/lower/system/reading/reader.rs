@@ -3,7 +3,9 @@
 use std::collections::HashSet;
 
 use crate::errors::Errors;
-use crate::lower::definitions::{Definition, INVERSE, check_names, definition_order};
+use crate::lower::definitions::{
+    Definition, INVERSE, check_circles, check_names, definition_order,
+};
 use crate::lower::expressions::{Lowering, Members, Offset, Scope, Value};
 use crate::model::{
     Constraints, Declared, Defaults, Drawn, Frame, Meaning, Motion, Outline, PLANAR, Point,
@@ -101,13 +103,10 @@ impl<'a> Reader<'a> {
     pub fn locals(&mut self, errors: &mut Errors, is_late: bool) {
         let locals = &self.system.top.locals;
         let moves = moving_locals(self.system);
-        let mut circles = Errors::default();
-        let (order, circular) = definition_order(
-            &self.system.top,
-            |name| self.scope.is_lost(name),
-            if is_late { errors } else { &mut circles },
-        );
-        let _ = circles.finish();
+        let (order, circular) = definition_order(&self.system.top);
+        if is_late {
+            check_circles(&self.system.top, |name| self.scope.is_lost(name), errors);
+        }
         for definition in circular {
             self.scope.define(&definition.of(&self.system.top).0, None);
         }

@@ -167,7 +167,8 @@ where
     }
 }
 
-/// All members together in each of the widths, and each of them alone: on a plain way, backwards, and with steps that end where they are told to.
+/// All members together, in each of the widths, against each member alone: forwards, backwards, and with
+/// steps that end at given times.
 fn moves_as_if_alone<B, M>(start: &Ensemble<B>, widths: &[Width], method: M)
 where
     B: Generic<State: PartialEq, Input: Clone> + Integrate<Best: Together<B>>,

@@ -158,11 +158,11 @@ pub fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
 /// Whether no motion changes a distance that is not zero.
 fn is_held_apart(graph: &Graph, row: &ConstraintRow) -> bool {
     let mut moves = row.slopes.iter().chain([&row.rate, &row.bias]);
-    let is_told = |value: Id| match graph.as_number(value) {
+    let is_decided = |value: Id| match graph.as_number(value) {
         Some(number) => !number.is_undecided(),
         None => graph.is_early(value),
     };
-    moves.all(|part| graph.vanishes(*part)) && row.value.is_some_and(is_told)
+    moves.all(|part| graph.vanishes(*part)) && row.value.is_some_and(is_decided)
 }
 
 /// The same for all rows of a joint in the plane together: a carrier that rotates turns their axes,
@@ -175,12 +175,12 @@ fn are_held_apart(graph: &mut Graph, rows: &[&ConstraintRow]) -> bool {
     let measured = rows.iter().filter_map(|row| Some((row.value?, row.rate)));
     let (values, rates): (Vec<Id>, Vec<Id>) = measured.unzip();
     let change = graph.inner(&values, &rates);
-    let is_told = |id: Id| {
+    let is_decided = |id: Id| {
         let number = graph.as_number(id);
         number.is_none_or(|number| !number.is_undecided())
     };
-    let are_told = graph.nodes_of(&values).into_iter().all(is_told);
-    are_told && graph.vanishes(change) && values.iter().any(|value| !graph.vanishes(*value))
+    let are_decided = graph.nodes_of(&values).into_iter().all(is_decided);
+    are_decided && graph.vanishes(change) && values.iter().any(|value| !graph.vanishes(*value))
 }
 
 /// Reports joints that close loops which no motion can close, because other joints hold both of their

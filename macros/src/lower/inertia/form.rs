@@ -102,6 +102,12 @@ impl Lowering<'_> {
                 method.span(),
                 format!("`.{method}(..)` is written twice: leave one of them out"),
             ),
+            Kind::Method(inner, method, _) if method == "about" && is_of_solid(inner) => self
+                .report(
+                    method.span(),
+                    "a solid is about its own center of mass, which is G: leave out `.about(..)`; a solid whose center \
+                     is elsewhere is a part of `compose([..])`",
+                ),
             Kind::Method(inner, method, arguments) if method == "about" => {
                 let draft = self.draft(inner, context);
                 let [point] = arguments.as_slice() else {

@@ -121,3 +121,40 @@ fn an_error_names_the_row_that_is_farthest_from_closed() {
     let found = body.project(0.0, &mut state, &()).unwrap_err();
     assert!(found.violation.abs() > 1e-3, "{found}");
 }
+
+// other joints hold both ends of the last one; whether they are in one place is up to the parameter
+rigid_system!(Placed {
+    params: [distance = 0[m]],
+    fields: [weight = mass * world(0, -9.81, 0)[m / s ^ 2]],
+    bodies: [
+        arm {
+            mass: 1[kg],
+            inertia: principal(1, 1, 1)[kg * m ^ 2],
+            points: [pin = (-0.2, 0, 0)[m]]
+        },
+        rotor {
+            mass: 1[kg],
+            inertia: principal(1, 1, 1)[kg * m ^ 2]
+        },
+    ],
+    joints: [
+        hinge = revolute(world(0, 0, 0), arm.pin, body(0, 0, 1)),
+        spin = revolute(arm.pin, rotor.G, body(0, 0, 1)),
+        again = spherical(world(distance, 0, 0), arm.pin),
+    ],
+});
+
+#[test]
+fn parameters_may_close_what_no_motion_closes() {
+    let mut state = PlacedState::default();
+    (state.hinge.angle, state.hinge.angular_velocity) = (0.3, 1.0);
+    let closed = Placed::default();
+    closed.project(0.0, &mut state, &()).unwrap();
+    closed.check(0.0, &state, &()).unwrap();
+    let moved = closed.acceleration(0.0, &state, &());
+    let pendulum = -9.81 * 0.2 * f64::cos(0.3) / 1.04;
+    assert!((moved.hinge - pendulum).abs() < 1e-14, "{moved:?}");
+    let apart = Placed::new(PlacedParams { distance: 0.2 }).unwrap();
+    let found = apart.project(0.0, &mut state, &()).unwrap_err();
+    assert!(found.to_string().contains("`again_1`"), "{found}");
+}

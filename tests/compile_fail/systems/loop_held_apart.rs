@@ -7,7 +7,6 @@ rigid_system!(Pinned {
 });
 
 rigid_system!(Skewed {
-    params: [distance = 0.2[m]],
     bodies: [
         arm { mass: 1[kg], inertia: principal(1, 1, 1)[kg * m ^ 2], points: [pin = (-0.2, 0, 0)[m]] },
         rotor { mass: 1[kg], inertia: principal(1, 1, 1)[kg * m ^ 2] },
@@ -15,7 +14,7 @@ rigid_system!(Skewed {
     joints: [
         hinge = revolute(world(0, 0, 0), arm.pin, body(0, 0, 1)),
         spin = revolute(arm.pin, rotor.G, body(0, 0, 1)),
-        again = spherical(world(distance, 0, 0), arm.pin),
+        again = spherical(world(0.2, 0, 0), arm.pin),
     ],
 });
 

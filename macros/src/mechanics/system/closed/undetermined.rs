@@ -3,11 +3,12 @@
 use std::collections::BTreeSet;
 
 use crate::errors::Errors;
+use crate::mechanics::proofs::samples;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{Built, Properties};
 use crate::mechanics::unknowns::dependent;
 use crate::model::{System, Workspace};
-use crate::symbolic::{Components, Elimination, Equation, Graph, Id};
+use crate::symbolic::{Components, Elimination, Equation, Graph, Id, Node};
 
 use super::super::constraints::ConstraintRow;
 use super::rows::{Known, Owner};
@@ -155,32 +156,27 @@ pub fn open(solved: &Elimination, count: usize) -> Vec<(usize, Vec<usize>)> {
     open.collect()
 }
 
-/// Whether no motion changes a distance that is not zero.
-fn is_held_apart(graph: &Graph, row: &ConstraintRow) -> bool {
-    let mut moves = row.slopes.iter().chain([&row.rate, &row.bias]);
-    let is_decided = |value: Id| match graph.as_number(value) {
-        Some(number) => !number.is_undecided(),
-        None => graph.is_early(value),
-    };
-    moves.all(|part| graph.vanishes(*part)) && row.value.is_some_and(is_decided)
-}
-
-/// The same for all rows of a joint in the plane together: a carrier that rotates turns their axes,
-/// and the sum of their squares stays.
-fn are_held_apart(graph: &mut Graph, rows: &[&ConstraintRow]) -> bool {
+/// Whether no motion changes the distance that these rows of a joint measure together, and it is not
+/// zero. A carrier that rotates in the plane turns the axes of the rows; the sum of the squares stays.
+/// Parameters may have values that make the distance zero.
+fn are_held_apart(work: &mut Workspace, rows: &[&ConstraintRow]) -> bool {
+    let graph = &mut work.graph;
     let mut slopes = rows.iter().flat_map(|row| &row.slopes);
     if !slopes.all(|slope| graph.vanishes(*slope)) {
         return false;
     }
     let measured = rows.iter().filter_map(|row| Some((row.value?, row.rate)));
     let (values, rates): (Vec<Id>, Vec<Id>) = measured.unzip();
-    let change = graph.inner(&values, &rates);
-    let is_decided = |id: Id| {
-        let number = graph.as_number(id);
-        number.is_none_or(|number| !number.is_undecided())
+    let is_decided = |id: Id| match graph.node(id) {
+        Node::Number(number) => !number.is_undecided(),
+        Node::Symbol(_) => !graph.is_early(id),
+        _ => true,
     };
-    let are_decided = graph.nodes_of(&values).into_iter().all(is_decided);
-    are_decided && graph.vanishes(change) && values.iter().any(|value| !graph.vanishes(*value))
+    if !graph.nodes_of(&values).into_iter().all(is_decided) {
+        return false;
+    }
+    let [square, change] = [&values, &rates].map(|factors| graph.inner(&values, factors));
+    graph.vanishes(change) && !samples(work, &[square])[0].may_vanish()
 }
 
 /// Reports joints that close loops which no motion can close, because other joints hold both of their
@@ -202,9 +198,8 @@ pub fn check_closed(
             _ => joints.push((number, vec![row])),
         }
     }
-    let graph = &mut work.graph;
     let apart = joints.iter().filter(|(_, rows)| {
-        rows.iter().any(|row| is_held_apart(graph, row)) || are_held_apart(graph, rows)
+        rows.iter().any(|row| are_held_apart(work, &[*row])) || are_held_apart(work, rows)
     });
     let apart: Vec<usize> = apart.map(|(number, _)| *number).collect();
     for number in &apart {

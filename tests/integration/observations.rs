@@ -315,3 +315,46 @@ fn events_where_a_function_becomes_zero_and_stays() {
         );
     }
 }
+
+/// A zero at the end of a step is found, wherever rounding puts the length of the step: at times at
+/// which steps end, and at the end of the motion.
+#[test]
+fn events_where_steps_end() {
+    let (by_stages, by_series) = (Pendulum::default(), SeriesPendulum::default());
+    let exact = ExactPendulum::default();
+    for k in 1..100 {
+        let time = f64::from(k) * 0.1;
+        for (start, end) in [(-3.3, 10.0), (0.037, time), (10.7, -0.9)] {
+            if (start < end) != (start < time) {
+                continue;
+            }
+            let clock = |now: f64, _: &Hinge| now - time;
+            let seen = [
+                by_stages
+                    .integrate(&START)
+                    .starting_at(start)
+                    .breaks([time])
+                    .events(end, clock)
+                    .map(|event| event.unwrap().time)
+                    .collect::<Vec<_>>(),
+                by_series
+                    .integrate(&START)
+                    .starting_at(start)
+                    .breaks([time])
+                    .events(end, clock)
+                    .map(|event| event.unwrap().time)
+                    .collect(),
+                exact
+                    .integrate(&START)
+                    .starting_at(start)
+                    .breaks([time])
+                    .events(end, clock)
+                    .map(|event| event.unwrap().time)
+                    .collect(),
+            ];
+            for times in seen {
+                assert_eq!(times, [time], "from {start} to {end}");
+            }
+        }
+    }
+}

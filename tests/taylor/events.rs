@@ -116,3 +116,40 @@ fn between_the_ends() {
     }
     assert!((last.angle - motion.state().angle).abs() < 1e-14);
 }
+
+/// A function whose zeros are searched.
+type Watched<'f> = &'f dyn Fn(f64, &Hinge) -> f64;
+
+/// A step ends where the next one begins, to the bit: a zero there is found once.
+#[test]
+fn zeros_where_steps_end() {
+    let body = scenes::Pendulum::default();
+    let start = Hinge {
+        angle: 2.0,
+        ..Hinge::default()
+    };
+    let mut motion = Motion::<_, 17>::new(&body, 0.1, &start);
+    let mut ends = Vec::new();
+    while let Some(step) = motion.step_towards(20.0, &(), 1e-10).unwrap() {
+        let end = (step.end(), step.at(step.end()));
+        assert_eq!(end, (motion.time(), motion.state()));
+        ends.push(end);
+    }
+    assert!(ends.len() > 20);
+    for (time, state) in ends {
+        let functions: [Watched<'_>; 2] = [&|now, _| now - time, &|now, there| {
+            let near = (now - time).abs() < 0.1;
+            if near { there.angle - state.angle } else { 1.0 }
+        }];
+        for function in functions {
+            let mut motion = Motion::<_, 17>::new(&body, 0.1, &start);
+            let mut found = 0;
+            while let Some(step) = motion.step_towards(20.0, &(), 1e-10).unwrap() {
+                let at = |zero: Result<Event<Hinge>, _>| zero.unwrap().time;
+                let near = |zero: &f64| (zero - time).abs() < 1e-6;
+                found += step.zeros(function).map(at).filter(near).count();
+            }
+            assert_eq!(found, 1, "{time}");
+        }
+    }
+}

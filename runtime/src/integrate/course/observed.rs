@@ -166,8 +166,8 @@ where
             let value = (self.function)(start, &self.course.state());
             match self.course.step() {
                 Ok(true) => {
-                    let length = self.course.time() - start;
-                    self.search = Some(Search::new(start, length, R::PLACES, value));
+                    let times = start..self.course.time();
+                    self.search = Some(Search::new(times, R::PLACES, value));
                 }
                 Ok(false) => self.is_over = true,
                 Err(error) => {

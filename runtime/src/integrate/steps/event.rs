@@ -1,5 +1,7 @@
 //! Zeros of a function of time and state along a motion.
 
+use core::ops::Range;
+
 use super::error::IntegrationError;
 use crate::numbers::count::real;
 
@@ -23,7 +25,7 @@ pub struct Event<S> {
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct Search {
     start: f64,
-    length: f64,
+    end: f64,
     places: usize,
     /// The number of evaluated points, and the value at the last of them.
     seen: usize,
@@ -32,10 +34,10 @@ pub(in crate::integrate) struct Search {
 
 impl Search {
     /// A search in a step, from the value of the function at its start.
-    pub(in crate::integrate) fn new(start: f64, length: f64, places: usize, value: f64) -> Self {
+    pub(in crate::integrate) fn new(times: Range<f64>, places: usize, value: f64) -> Self {
         Self {
-            start,
-            length,
+            start: times.start,
+            end: times.end,
             places,
             seen: 0,
             before: value,
@@ -48,8 +50,21 @@ impl Search {
         state: impl Fn(f64) -> S,
         function: impl Fn(f64, &S) -> f64,
     ) -> Option<Result<Event<S>, IntegrationError<S>>> {
-        let place = |k: usize| self.length * (real(k) / real(self.places));
-        let value = |after: f64| function(self.start + after, &state(self.start + after));
+        let Self { start, end, .. } = *self;
+        let length = end - start;
+        let place = |k: usize| length * (real(k) / real(self.places));
+        // the last place is the end to the bit: there the next step begins
+        let time = |after: f64| {
+            let time = start + after;
+            if after == length {
+                end
+            } else if length > 0.0 {
+                time.min(end)
+            } else {
+                time.max(end)
+            }
+        };
+        let value = |after: f64| function(time(after), &state(time(after)));
         while self.seen < self.places {
             let [from, to] = [place(self.seen), place(self.seen + 1)];
             let (last, next) = (self.before, value(to));
@@ -66,12 +81,12 @@ impl Search {
                 continue;
             };
             let (Ok(after) | Err(after)) = found;
-            let (time, state) = (self.start + after, state(self.start + after));
+            let (time, state) = (time(after), state(time(after)));
             if found.is_err() {
                 self.seen = self.places;
                 return Some(Err(IntegrationError::EventNotANumber { time, state }));
             }
-            let rises = (last < 0.0) == (self.length > 0.0);
+            let rises = (last < 0.0) == (length > 0.0);
             return Some(Ok(Event { time, state, rises }));
         }
         None

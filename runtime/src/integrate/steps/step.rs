@@ -1,5 +1,7 @@
 //! A step as it was taken: the motion from its start to its end.
 
+use core::ops::Range;
+
 use super::error::IntegrationError;
 use super::event::{Event, Search};
 use crate::state::Coordinates;
@@ -12,23 +14,26 @@ pub(in crate::integrate) const PLACES: usize = 16;
 #[derive(Debug)]
 pub struct Step<'m, S: Coordinates<Scalar = f64>> {
     start: f64,
-    length: f64,
+    end: f64,
     axes: Axes,
     coefficients: &'m [S::Array],
+    /// The coordinates at the end, where the next step begins.
+    last: &'m S::Array,
 }
 
 impl<'m, S: Coordinates<Scalar = f64>> Step<'m, S> {
     pub(in crate::integrate) fn new(
-        start: f64,
-        length: f64,
+        times: Range<f64>,
         axes: Axes,
         coefficients: &'m [S::Array],
+        last: &'m S::Array,
     ) -> Self {
         Self {
-            start,
-            length,
+            start: times.start,
+            end: times.end,
             axes,
             coefficients,
+            last,
         }
     }
 
@@ -41,15 +46,26 @@ impl<'m, S: Coordinates<Scalar = f64>> Step<'m, S> {
     /// When it ended \[s\].
     #[must_use]
     pub fn end(&self) -> f64 {
-        self.start + self.length
+        self.end
     }
 
     /// The state at a time \[s\] between start and end, of the same accuracy as the end.
     #[inline]
     #[must_use]
     pub fn at(&self, time: f64) -> S {
+        if time == self.end {
+            return self.axes.state(self.last, time);
+        }
         let coordinates = after::<S>(self.coefficients, time - self.start);
         self.axes.state(&coordinates, time)
+    }
+
+    /// The state at the start, which is the end of the step before.
+    fn first(&self) -> S {
+        match self.coefficients {
+            [first, ..] => self.axes.state(first, self.start),
+            [] => self.at(self.start),
+        }
     }
 
     /// Where a function of time and state changes its sign within the step, in the order of the
@@ -65,15 +81,8 @@ impl<'m, S: Coordinates<Scalar = f64>> Step<'m, S> {
         &self,
         function: F,
     ) -> impl Iterator<Item = Result<Event<S>, IntegrationError<S>>> {
-        let Self {
-            start,
-            length,
-            axes,
-            coefficients,
-        } = *self;
-        let state = move |time| axes.state::<S>(&after::<S>(coefficients, time - start), time);
-        let value = function(start, &state(start));
-        let mut search = Search::new(start, length, PLACES, value);
-        core::iter::from_fn(move || search.next(state, &function))
+        let value = function(self.start, &self.first());
+        let mut search = Search::new(self.start..self.end, PLACES, value);
+        core::iter::from_fn(move || search.next(|time| self.at(time), &function))
     }
 }

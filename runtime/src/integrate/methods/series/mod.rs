@@ -51,7 +51,7 @@ macro_rules! orders {
                 let motion = match self.tolerance {
                     $($least => Motions::$order(Along::new(body, time, state)),)*
                 };
-                SeriesRun { motion, tolerance: self.tolerance, start: time, length: 0.0 }
+                SeriesRun { motion, tolerance: self.tolerance, start: time }
             }
 
             fn setting(&self) -> Option<(Setting, f64)> {
@@ -81,9 +81,8 @@ orders! {
 pub struct SeriesRun<B: Taylor> {
     motion: Motions<B>,
     tolerance: f64,
-    /// The start \[s\] and the length of the last step.
+    /// The start of the last step \[s\].
     start: f64,
-    length: f64,
 }
 
 impl<B: Taylor> fmt::Debug for SeriesRun<B> {
@@ -112,18 +111,18 @@ impl<B: Taylor> Run<B> for SeriesRun<B> {
         end: f64,
         input: &B::Input,
     ) -> Result<(), IntegrationError<B::State>> {
-        let step = with!(&mut self.motion, motion => {
+        let start = with!(&mut self.motion, motion => {
             let step = motion.advance_towards(body, end, input, (self.tolerance, true))?;
-            step.map(|step| (step.start(), step.end() - step.start()))
+            step.map(|step| step.start())
         });
-        if let Some(step) = step {
-            (self.start, self.length) = step;
+        if let Some(start) = start {
+            self.start = start;
         }
         Ok(())
     }
 
     fn within(&self, _body: &B, time: f64, _input: &B::Input) -> B::State {
-        with!(&self.motion, motion => motion.taken(self.start, self.length).at(time))
+        with!(&self.motion, motion => motion.taken(self.start).at(time))
     }
 
     fn tolerance(&self) -> Option<f64> {

@@ -51,7 +51,7 @@ impl<B: Taylor, const N: usize> Along<B, N> {
             self.follow(within, (permitted, end), input, (tolerance, goes_on))?
         };
         self.watch.saw(step, self.now.time == until);
-        Ok(Some(self.taken(time, step)))
+        Ok(Some(self.taken(time)))
     }
 
     /// Takes a step of this length \[s\], whatever its error.
@@ -65,7 +65,7 @@ impl<B: Taylor, const N: usize> Along<B, N> {
         self.expand(&Within::new(body, &self.stretch), input);
         let change = increment::<B::State>(self.expansions.series().coefficients(), step);
         if self.now.advance(change, step) {
-            return Ok(self.taken(time, step));
+            return Ok(self.taken(time));
         }
         Err(IntegrationError::lost(time, self.state()))
     }

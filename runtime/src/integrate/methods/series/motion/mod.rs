@@ -223,14 +223,15 @@ impl<B: Taylor, const N: usize> Along<B, N> {
         self.axes.state(&self.now.coordinates, self.now.time)
     }
 
-    /// The last step.
+    /// The last step, from its start.
     #[cfg_attr(not(unoptimized), inline(always))]
-    pub(super) fn taken(&self, start: f64, length: f64) -> Step<'_, B::State> {
+    pub(super) fn taken(&self, start: f64) -> Step<'_, B::State> {
         let coefficients = if self.is_crossing {
             self.crossing.as_slice()
         } else {
             self.expansions.series().coefficients()
         };
-        Step::new(start, length, self.axes, coefficients)
+        let times = start..self.now.time;
+        Step::new(times, self.axes, coefficients, &self.now.coordinates)
     }
 }

@@ -317,3 +317,26 @@ fn not_a_number() {
         assert!(end.angular_velocity.x.is_nan());
     }
 }
+
+/// Rates that are lost in underflow beside the one about the intermediate axis leave a steady spin.
+#[test]
+fn almost_nothing_beside_the_intermediate_axis() {
+    for moments in [[1.1, 2.3, 2.9], [2.9, 2.3, 1.1], [1.0, 1.000_1, 1.5]] {
+        for small in [5e-324, 2e-323, 1e-318, 1e-310, 1e-307, 1e-290] {
+            for [x, z] in [[small, 0.0], [0.0, small], [small, small], [-small, small]] {
+                for y in [1.0, -30.0] {
+                    let start = turning([x, y, z]);
+                    for time in [0.0, 0.5, 3.0] {
+                        let axis = Vector3::new(0.0, y * time, 0.0);
+                        let turned = start.attitude * UnitQuaternion::from_scaled_axis(axis);
+                        let end = free(moments, &start).at(time);
+                        let off = end.angular_velocity - start.angular_velocity;
+                        assert!(off.norm() < 1e-14 * y.abs(), "{x:e} {y} {z:e}");
+                        let angle = (end.attitude.inverse() * turned).imag().norm();
+                        assert!(angle < 1e-13, "{x:e} {y} {z:e}: {angle:e}");
+                    }
+                }
+            }
+        }
+    }
+}

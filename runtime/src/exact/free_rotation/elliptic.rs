@@ -139,8 +139,9 @@ fn ascending<A>([a, b, c]: [(f64, A); 3]) -> [(f64, A); 3] {
 
 impl Circling {
     /// From principal moments, the axes in columns, right-handed, and the state. No two moments are
-    /// equal, and ω is not along a principal axis.
-    pub fn new(moments: [f64; 3], principal: &Matrix3<f64>, state: &Rotation) -> Self {
+    /// equal, and ω is not along a principal axis. None if it is along the intermediate one up to
+    /// underflow: the other rates are no normal numbers beside it.
+    pub fn new(moments: [f64; 3], principal: &Matrix3<f64>, state: &Rotation) -> Option<Self> {
         // all rates share one power of two
         let exponent = scale::exponent(state.angular_velocity.amax());
         let w = scale::scaled(&state.angular_velocity, -exponent);
@@ -174,6 +175,9 @@ impl Circling {
             cn: x / h3,
             dn: z / h1,
         };
+        if first.dn + complement < f64::MIN_POSITIVE {
+            return None;
+        }
         let jacobi = Jacobi::new(2.0 * root(complement) / (1.0 + complement));
         let phase = Phase::new(jacobi, halved(first, complement), rate);
         let slant = momenta.x / whole;
@@ -186,7 +190,7 @@ impl Circling {
         let back = mapped(&axes, &swing.conjugate());
         let back = state.attitude.quaternion() * back;
 
-        Self {
+        Some(Self {
             axes,
             start: attitude::normalized(&back),
             phase: phase.faster(exponent),
@@ -197,7 +201,7 @@ impl Circling {
             precession: libm::scalbn(precession, exponent),
             amplitude,
             third,
-        }
+        })
     }
 
     pub fn at(&self, time: f64) -> Rotation {

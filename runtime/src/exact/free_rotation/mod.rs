@@ -18,7 +18,8 @@ use regular::Regular;
 /// the third kind. A body with two equal moments precesses steadily. About a principal axis, and
 /// with three equal moments, the angular velocity is constant. Components that are zero stay
 /// exactly zero, the sign of the quaternion is continuous in time, and moments and rates may have
-/// any size.
+/// any size. Beside a rate about the intermediate axis, rates that are less than about 1e-308 of it
+/// count as zero.
 ///
 /// The error of the end state is about that of one rounding of the inputs: a few 1e-16 per
 /// radian turned, also near the separatrix, where a body spun about its intermediate axis flips.
@@ -99,7 +100,9 @@ impl FreeRotation {
                 return Self(Case::Regular(Regular::symmetric(both, axis.into(), state)));
             }
         }
-        Self(Case::Circling(Circling::new(moments, axes, state)))
+        let circling = Circling::new(moments, axes, state);
+        let steady = || Case::Regular(Regular::steady(state));
+        Self(circling.map_or_else(steady, Case::Circling))
     }
 
     /// From the moment perpendicular to an axis of symmetry and the one about it \[kg m²\], and the

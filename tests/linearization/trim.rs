@@ -164,16 +164,25 @@ fn what_is_missing_is_told() {
         position: none,
         ..start
     };
+    let pushed = QuadrotorInput {
+        thrust_3: f64::NAN,
+        ..QuadrotorInput::default()
+    };
     let search = |state| quadrotor.trim(state).free(THRUSTS);
-    for search in [
-        search(&moving),
-        search(&nowhere),
-        search(&start).turning(none),
-        search(&start).at(f64::INFINITY),
+    for (search, name) in [
+        (search(&moving), "velocity_x"),
+        (search(&nowhere), "position_x"),
+        (search(&start).input(&pushed), "thrust_3"),
+        (search(&start).turning(none), "turning"),
+        (search(&start).at(f64::INFINITY), "time"),
     ] {
         let error = search.solve().unwrap_err();
-        assert_eq!(error, TrimError::NotFinite { load: None });
+        assert_eq!(error, TrimError::NotFinite { name: Some(name) });
     }
+    let held = search(&start).hold("slip", |state, _| 0.0 / state.velocity.x);
+    let error = held.solve().unwrap_err();
+    let text = "the start, or the acceleration there, is not finite: `slip`";
+    assert_eq!(error.to_string(), text);
 }
 
 rigid_body!(Pendulum {

@@ -45,8 +45,11 @@ pub enum TrimError {
     TooMany,
     /// A number of the start, or the acceleration there, is infinite or NaN.
     NotFinite {
-        /// A load without a value there, if it is known.
-        load: Option<&'static str>,
+        /// What has no value, if it is known: a coordinate or an input, by its name in
+        /// [`Linearized::STATES`](crate::linearization::Linearized::STATES) or
+        /// [`Linearized::INPUTS`](crate::linearization::Linearized::INPUTS), `turning`, `time`, or a
+        /// load, a condition or a constraint there.
+        name: Option<&'static str>,
     },
     /// The free quantities cannot make the motion steady: there are more equations than unknowns,
     /// or the equations are inconsistent.
@@ -106,9 +109,9 @@ impl fmt::Display for TrimError {
                 "no body moves freely, so that nothing turns with the world: give the rates of joints in the state",
             ),
             Self::TooMany => f.write_str("there are more constraints and conditions than can be met"),
-            Self::NotFinite { load } => {
+            Self::NotFinite { name } => {
                 f.write_str("the start, or the acceleration there, is not finite")?;
-                load.map_or(Ok(()), |load| write!(f, ": `{load}`"))
+                name.map_or(Ok(()), |name| write!(f, ": `{name}`"))
             }
             Self::Unbalanced { residual, held } => {
                 f.write_str("not steady")?;

@@ -116,6 +116,13 @@ impl<B: Coordinated<N, M>, const N: usize, const M: usize> Here<B, N, M> {
         }))
     }
 
+    /// A condition or a constraint without a value here.
+    pub fn lost_condition(&self) -> Option<&'static str> {
+        let mut rows = self.rows().iter().filter(|row| row.is_angle.is_none());
+        let lost = rows.find(|row| !row.equation.value.is_finite());
+        lost.map(|row| row.name)
+    }
+
     /// The equations, each with its residual as a fraction of its size.
     pub fn off(&self) -> impl Iterator<Item = (&Asked<N, M>, f64)> {
         let rows = self.rows().iter().zip(self.sizes.as_flattened());

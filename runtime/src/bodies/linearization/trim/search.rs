@@ -13,7 +13,7 @@ use super::trimmed::Trimmed;
 use crate::bodies::linearization::coordinated::Coordinated;
 use crate::bodies::linearization::matrices::Linearized;
 use crate::bodies::linearization::place::Place;
-use crate::state::Coordinates as _;
+use crate::bodies::linearization::tangent;
 
 /// Steady motions and equilibria of bodies and systems with `outputs: [linearization]`.
 ///
@@ -227,8 +227,8 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         if turning.is_some() && !B::PLACES.iter().any(|place| place.turns()) {
             return Err(TrimError::NothingTurns);
         }
-        if !is_finite(&newton) {
-            return Err(TrimError::NotFinite { load: None });
+        if let Some(name) = not_finite(&newton) {
+            return Err(TrimError::NotFinite { name: Some(name) });
         }
         let leaves_plane = |turning: &Vector3<f64>| turning.x != 0.0 || turning.y != 0.0;
         if B::PLACES.contains(&Place::Heading) && turning.as_ref().is_some_and(leaves_plane) {
@@ -240,7 +240,8 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
         }
         if !start.worst.is_finite() {
             let load = body.lost_load(time, &start.state, &B::input(start.input));
-            return Err(TrimError::NotFinite { load });
+            let name = load.or_else(|| start.lost_condition());
+            return Err(TrimError::NotFinite { name });
         }
         let residual = start.residual();
         let end = newton.end(start);
@@ -251,15 +252,19 @@ impl<'b, B: Coordinated<N, M>, C, const N: usize, const M: usize> Search<'b, B, 
     }
 }
 
-/// Whether all given numbers are.
-fn is_finite<B: Coordinated<N, M>, C, const N: usize, const M: usize>(
+/// The name of a given number that is not finite.
+fn not_finite<B: Coordinated<N, M>, C, const N: usize, const M: usize>(
     newton: &Newton<'_, B, C, N, M>,
-) -> bool {
-    let coordinates = newton.state.coordinates();
+) -> Option<&'static str> {
+    let states = <B::Linearization as Linearized<N, M>>::STATES;
+    let inputs = <B::Linearization as Linearized<N, M>>::INPUTS;
+    let values = tangent::values::<_, N>(&newton.state, &Vector3::zeros());
     let turning = newton.steady.turning.unwrap_or_default();
-    let numbers = coordinates.as_ref().iter().chain(&newton.input);
-    let mut all = numbers.chain(&turning).chain([&newton.steady.time]);
-    all.all(|number| number.is_finite())
+    let numbers = states.iter().zip(values.iter());
+    let numbers = numbers.chain(inputs.iter().zip(&newton.input));
+    let numbers = numbers.chain(turning.iter().map(|rate| (&"turning", rate)));
+    let mut numbers = numbers.chain([(&"time", &newton.steady.time)]);
+    numbers.find_map(|(name, number)| (!number.is_finite()).then_some(*name))
 }
 
 fn trimmed<B: Coordinated<N, M>, const N: usize, const M: usize>(

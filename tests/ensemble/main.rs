@@ -418,6 +418,7 @@ fn ensembles_are_read_as_they_were_written() {
             written.replacen("[0.1]]", "[]]", 1),
             "expected 1 inputs, and there are 0",
         ),
+        ("[]".to_owned(), "expected an ensemble: `params`"),
     ];
     for (text, reason) in wrong {
         let error = serde_json::from_str::<Ensemble<bodies::Plank<f64>>>(&text).unwrap_err();

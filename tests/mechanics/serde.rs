@@ -98,6 +98,15 @@ fn forms_say_their_conventions() {
         message,
         "unknown variant `matrix`, expected `tensor` or `products`"
     );
+    // what is expected is said in words of the crate
+    assert_eq!(
+        refusal::<InertiaTensor>(json!({ "tensor": 3.0 })),
+        "invalid type: floating point `3.0`, expected the entries `xx`, `yy`, `zz`, `xy`, `yz`, `zx`"
+    );
+    assert_eq!(
+        refusal::<Rotation>(json!({ "attitude": "none", "angular_velocity": [0.0, 0.0, 0.0] })),
+        "invalid type: string \"none\", expected an attitude of `w`, `x`, `y`, `z`"
+    );
 }
 
 #[test]

@@ -10,7 +10,10 @@ use super::{Ensemble, Members};
 use crate::bodies::columns::{Columns, Generic, Sink, Source};
 
 #[derive(Serialize, Deserialize)]
-#[serde(rename = "Ensemble")]
+#[serde(
+    rename = "Ensemble",
+    expecting = "an ensemble: `params`, `states` and `inputs`"
+)]
 struct Written<S> {
     /// The parameters of each member, or a single list if all are the same.
     params: Vec<Vec<f64>>,

@@ -9,7 +9,7 @@ use super::{Moments, Statistics};
 use crate::bodies::columns::Columns;
 
 #[derive(Serialize, Deserialize)]
-#[serde(rename = "Moments")]
+#[serde(rename = "Moments", expecting = "the moments of numbers")]
 struct Written {
     count: u64,
     not_finite: u64,
@@ -20,6 +20,7 @@ struct Written {
 
 /// Digits without leading and trailing zeros.
 #[derive(Serialize, Deserialize)]
+#[serde(expecting = "a sum: its digits, and the place of the first")]
 struct Sparse {
     first: usize,
     digits: Vec<i64>,

@@ -131,7 +131,7 @@ pub(crate) mod checked {
     }
 
     #[derive(Serialize, Deserialize)]
-    #[serde(rename = "Attitude")]
+    #[serde(rename = "Attitude", expecting = "an attitude of `w`, `x`, `y`, `z`")]
     struct Components<T> {
         w: T,
         x: T,

@@ -8,14 +8,21 @@ use super::InertiaTensor;
 
 /// Written as `tensor`, read as either.
 #[derive(Serialize, Deserialize)]
-#[serde(rename = "InertiaTensor", rename_all = "snake_case")]
+#[serde(
+    rename = "InertiaTensor",
+    rename_all = "snake_case",
+    expecting = "an inertia: `tensor` or `products`"
+)]
 enum Written {
     Tensor(Entries),
     Products(Entries),
 }
 
 #[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "the entries `xx`, `yy`, `zz`, `xy`, `yz`, `zx`"
+)]
 struct Entries {
     xx: f64,
     yy: f64,

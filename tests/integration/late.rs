@@ -84,6 +84,32 @@ fn motions_of_a_few_roundings_are_one_step() {
     }
 }
 
+rigid_body!(Leaking {
+    motion: translation,
+    states: [water[kg]],
+    rates: [water = -0.001[kg / s]],
+    mass: 1[kg] + water,
+    forces: [spring = -100[N / m] * position],
+});
+
+/// Steps that are lost in rounding are what is said, not the tank that is empty long after the end.
+#[test]
+fn a_late_step_that_is_lost_is_the_reason() {
+    let start = LeakingState {
+        motion: START,
+        water: 1.0,
+    };
+    let bucket = Leaking::default();
+    for late in [1e15, -1e15, 1e16] {
+        let motion = bucket.integrate(&start).starting_at(late);
+        let error = motion.to(late + 4.0).unwrap_err();
+        assert!(
+            matches!(error, IntegrationError::StepTooSmall { .. }),
+            "{error}"
+        );
+    }
+}
+
 #[test]
 fn late_periods_of_a_few_roundings_are_taken() {
     let body = Oscillator::default();

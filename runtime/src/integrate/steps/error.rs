@@ -256,8 +256,10 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
             return Self::NotFinite { time, state, load };
         }
         let within_a_step = too_small.map_or(WITHIN_A_STEP, |_| 0);
+        let farthest = too_small.map_or(f64::INFINITY, |step| nearest + AHEAD * step.abs());
         let later = || {
-            let mut times = ahead.times(DOUBLINGS + within_a_step);
+            let times = ahead.times(DOUBLINGS + within_a_step);
+            let mut times = times.take_while(|after| after.abs() <= farthest);
             times.find_map(|after| ahead.impossible(after))
         };
         let ran_out = ran_out.or_else(later);
@@ -324,6 +326,9 @@ impl<B: RigidBody<Scalar = f64, State: State<Scalar = f64>>> Ahead<'_, B> {
 /// The number of doublings of the time ahead in the search for a load without a value, starting
 /// from the rounding of time.
 const DOUBLINGS: i32 = 32;
+/// A body that becomes impossible later than after this many steps is not the reason why these are
+/// too small: late on the clock, the rounding of time is long.
+const AHEAD: f64 = 16384.0;
 /// Further doublings, for a fixed step that may end where the body is impossible.
 const WITHIN_A_STEP: i32 = 12;
 

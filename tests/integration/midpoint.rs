@@ -127,3 +127,34 @@ fn too_long_a_step() {
         Err(IntegrationError::InvalidSetting { .. })
     ));
 }
+
+rigid_body!(Draining {
+    motion: planar_translation,
+    mass: 1[kg],
+    forces: [
+        pull = world(-1[N], 0),
+        jet = world(0, 1[N] * (position.in_world().x / 1[m]).sqrt()),
+    ],
+});
+
+/// A load without a value on the way is the reason why a step is not solved, not its length.
+#[test]
+fn a_load_without_a_value_within_a_step() {
+    let (draining, full) = (
+        Draining::default(),
+        PlanarTranslation {
+            position: [0.5, 0.0].into(),
+            ..PlanarTranslation::default()
+        },
+    );
+    for step in [0.3, 0.07, 1e-3, -1e-3, -0.07] {
+        let method = Fixed {
+            method: Midpoint,
+            step: f64::abs(step),
+        };
+        let end = 3.0_f64.copysign(step);
+        let error = draining.integrate(&full).method(method).to(end);
+        let text = error.unwrap_err().to_string();
+        assert!(text.ends_with("`jet` is not finite"), "{step}: {text}");
+    }
+}

@@ -235,6 +235,9 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
                 load: None,
             } => (time, state, None),
             Self::StepTooSmall { time, state, step } => (time, state, Some(step)),
+            Self::StepTooLong { time, state, step } => {
+                return Self::too_long((time, state, step), (body, input));
+            }
             other => return other,
         };
         let nearest = f64::EPSILON * time.abs().max(1e-6);
@@ -271,6 +274,29 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
             },
             (None, Some(step)) => Self::StepTooSmall { time, state, step },
             (None, None) => Self::NotFinite { time, state, load },
+        }
+    }
+}
+
+impl<S: State<Scalar = f64>> IntegrationError<S> {
+    /// An implicit step that was not solved: because of a load without a value on the way to its
+    /// middle, if there is one, whatever its length.
+    #[cold]
+    fn too_long<B: RigidBody<Scalar = f64, State = S>>(
+        (time, state, step): (f64, S, f64),
+        (body, input): (&B, &B::Input),
+    ) -> Self {
+        let ahead = Ahead {
+            body,
+            input,
+            time,
+            rate: state.rate(&body.acceleration(time, &state, input)),
+            nearest: libm::scalbn(step, -DOUBLINGS),
+            state: &state,
+        };
+        match ahead.lost_load() {
+            None => Self::StepTooLong { time, state, step },
+            load => Self::NotFinite { time, state, load },
         }
     }
 }

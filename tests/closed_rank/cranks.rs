@@ -67,6 +67,16 @@ const INERTIA: f64 = 0.1 + 0.2 + 0.15 + 0.25 * (1.0 + 1.5 + 0.7) + 2.0;
 const WEIGHT: f64 = 9.81 * (0.5 * (1.0 + 1.5 + 0.7) + 2.0);
 
 #[test]
+fn equations_are_whole() {
+    for line in Parallel::EQUATIONS.lines() {
+        let opened = line.matches('(').count();
+        assert_eq!(opened, line.matches(')').count(), "{line}");
+    }
+    assert!(Parallel::EQUATIONS.contains("\nholds = "));
+    assert!(Parallel::EQUATIONS.contains("_load = "));
+}
+
+#[test]
 fn three_cranks_move_as_one() {
     let cranks = Parallel::default();
     for number in 0..=126 {

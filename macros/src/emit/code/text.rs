@@ -16,9 +16,9 @@ pub fn code_text(tokens: &TokenStream) -> String {
 /// Writes `determined(divisor, scale)` as the quotient that it computes.
 fn without_guards(text: &str) -> String {
     let parts = text.split_once("determined(").and_then(|(before, call)| {
-        let (divisor, call) = call.split_once(", ")?;
-        let (_, after) = call.split_once(')')?;
-        Some((before, divisor, after))
+        let comma = outside(call, ',')?;
+        let close = outside(call, ')')?;
+        Some((before, &call[..comma], &call[close + 1..]))
     });
     let Some((before, divisor, after)) = parts else {
         return text.to_owned();
@@ -27,6 +27,20 @@ fn without_guards(text: &str) -> String {
         return format!("1 / {divisor}");
     }
     format!("{before}(1 / {divisor}){}", without_guards(after))
+}
+
+/// The first place of a sign that is not inside of parentheses.
+fn outside(text: &str, sign: char) -> Option<usize> {
+    let mut depth = 0_u32;
+    for (place, c) in text.char_indices() {
+        match c {
+            _ if depth == 0 && c == sign => return Some(place),
+            '(' => depth += 1,
+            ')' => depth = depth.checked_sub(1)?,
+            _ => {}
+        }
+    }
+    None
 }
 
 /// Removes a path that ends like this, whatever it begins with.

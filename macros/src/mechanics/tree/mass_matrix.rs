@@ -16,7 +16,7 @@ pub struct MassMatrix {
     pub rows: Vec<Vec<Id>>,
     /// The drive of each coordinate, minus the load that the motion needs without acceleration.
     pub driving: Vec<Id>,
-    names: Vec<String>,
+    pub names: Vec<String>,
 }
 
 impl MassMatrix {

@@ -24,64 +24,16 @@
 //! M has no negative eigenvalue, and what neither M nor A resists is not determined.
 
 use crate::mechanics::tree::MassMatrix;
-use crate::model::Workspace;
+use crate::model::{Labels, Workspace};
 use crate::symbolic::{Equation, Graph, Id};
 
 use super::super::constraints::ConstraintRow;
+use super::super::reduced::label;
 use super::eliminated::{Following, Found, equations};
+use super::groups::{Group, full};
 use super::guard::{Closeness, guard};
 use super::rows::Owner;
 use super::semidefinite::Solver;
-
-/// Rows of one joint that have the same dimension, and which of them are independent.
-#[derive(Clone)]
-pub struct Group {
-    rows: Vec<usize>,
-    /// For each row, whether it is independent of those before it in closed states. Other choices
-    /// of rows are possible.
-    is_independent: Vec<bool>,
-}
-
-impl Group {
-    fn rank(&self) -> usize {
-        self.is_independent.iter().filter(|is_new| **is_new).count()
-    }
-
-    fn is_full(&self) -> bool {
-        self.rank() == self.rows.len()
-    }
-}
-
-/// The rows of the groups all of whose rows are independent.
-pub fn full(groups: &[Group]) -> Vec<usize> {
-    let full = groups.iter().filter(|group| group.is_full());
-    full.flat_map(|group| group.rows.clone()).collect()
-}
-
-/// The groups of rows; `independent` marks the rows that are independent of those before them.
-pub fn groups(graph: &Graph, kept: &[(Owner, ConstraintRow)], independent: &[bool]) -> Vec<Group> {
-    let mut groups: Vec<(Option<(usize, bool)>, Group)> = Vec::new();
-    for (number, ((owner, _), is_new)) in kept.iter().zip(independent).enumerate() {
-        let own = owner.joint_part(graph);
-        match groups.last_mut() {
-            Some((last, group)) if own.is_some() && *last == own => {
-                group.rows.push(number);
-                group.is_independent.push(*is_new);
-            }
-            _ => {
-                let (rows, is_independent) = (vec![number], vec![*is_new]);
-                groups.push((
-                    own,
-                    Group {
-                        rows,
-                        is_independent,
-                    },
-                ));
-            }
-        }
-    }
-    groups.into_iter().map(|(_, group)| group).collect()
-}
 
 /// What remains for the rows of `groups` once the masses and the rows that are always independent
 /// are eliminated.
@@ -135,6 +87,11 @@ pub fn dependent(
         (&closeness, &solver),
         of_loads,
     )?;
+    let labels = &mut work.labels;
+    left.label(labels, &matrix.names, (kept, &loads));
+    closeness.label(labels);
+    labels.name(holds, "holds");
+    labels.describe("holds", "1, or NaN if the rows contradict each other");
     let all = combined(graph, &left.base, &left.units, &loads);
     let all: Vec<Id> = all
         .into_iter()
@@ -241,6 +198,12 @@ fn left(
     if !solved.undetermined.is_empty() {
         return None;
     }
+    let names = rows.iter().map(|row| row.spelled());
+    let names: Vec<String> = matrix.names.iter().cloned().chain(names).collect();
+    label(&mut work.labels, &solved, &names);
+    for (value, name) in solved.values.iter().zip(&names) {
+        work.labels.name(*value, format!("{name}_alone"));
+    }
     let rows: Vec<usize> = groups.iter().flat_map(|group| group.rows.clone()).collect();
     let units: Vec<Vec<Id>> = rows
         .iter()
@@ -283,6 +246,27 @@ impl Left {
         let all = self.groups.iter().flat_map(|group| &group.is_independent);
         let spare = all.enumerate().filter(|(_, is_new)| !**is_new);
         spare.map(|(own, _)| own).collect()
+    }
+
+    /// Names its parts, and the loads of its rows.
+    fn label(
+        &self,
+        labels: &mut Labels,
+        coordinates: &[String],
+        (kept, loads): (&[(Owner, ConstraintRow)], &[Id]),
+    ) {
+        let names: Vec<String> = self.rows.iter().map(|row| kept[*row].1.spelled()).collect();
+        for (own, name) in names.iter().enumerate() {
+            for (acceleration, coordinate) in self.units[own].iter().zip(coordinates) {
+                labels.name(*acceleration, format!("{coordinate}_per_{name}"));
+            }
+            labels.name(self.matrix[own][own], format!("inverse_inertia_{name}"));
+            for (entry, second) in self.matrix[own].iter().zip(&names).skip(own + 1) {
+                labels.name(*entry, format!("inverse_inertia_{name}_{second}"));
+            }
+            labels.name(self.right[own], format!("{name}_to_close"));
+            labels.name(loads[own], format!("{name}_load"));
+        }
     }
 
     /// A unit load of one row, and the loads that balance it: those of the rows that are always

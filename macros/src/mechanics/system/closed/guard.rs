@@ -1,6 +1,7 @@
 //! Checks of rows that were not solved for. They allow for rounding, and for the distance of a
 //! state from a closed one.
 
+use crate::model::Labels;
 use crate::symbolic::{Graph, Id, Number};
 
 use super::super::constraints::ConstraintRow;
@@ -87,6 +88,12 @@ impl Closeness {
             rate: whole(&rate),
             rates: rates.to_vec(),
         }
+    }
+
+    /// Names its parts.
+    pub fn label(&self, labels: &mut Labels) {
+        labels.name(self.place, "relative_gap_squared");
+        labels.name(self.rate, "relative_rate_squared");
     }
 }
 

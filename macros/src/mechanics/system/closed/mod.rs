@@ -12,6 +12,7 @@
 mod assembly;
 mod dependent;
 mod eliminated;
+mod groups;
 mod guard;
 mod in_plane;
 mod inverse;

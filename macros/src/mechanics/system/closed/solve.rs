@@ -11,8 +11,9 @@ use crate::symbolic::{Components, Graph, Id};
 
 use super::super::constraints::{ConstraintRow, Ends, Loop, push_written};
 use super::assembly::{Assembly, Coordinates, Rank};
-use super::dependent::{dependent, full, groups};
+use super::dependent::dependent;
 use super::eliminated::{Following, Found, eliminated};
+use super::groups::{full, groups};
 use super::in_plane::in_plane;
 use super::rows::{Known, Owner};
 use super::undetermined::{Spare, Undetermined, bare};

@@ -21,9 +21,14 @@ pub struct ConstraintRow {
 }
 
 impl ConstraintRow {
+    /// Its name, as a word of the language.
+    pub fn spelled(&self) -> String {
+        self.name.replace('.', "_")
+    }
+
     /// Names its parts; `coordinates` are the names of the open coordinates.
     pub fn label<'n>(&self, labels: &mut Labels, coordinates: impl Iterator<Item = &'n str>) {
-        let name = self.name.replace('.', "_");
+        let name = self.spelled();
         if let Some(value) = self.value {
             labels.name(value, format!("{name}_gap"));
         }

@@ -38,10 +38,13 @@ fn of<B: Generic<State: Kept> + Integrate<Best: Together<B>>>(
     ensemble.states().iter().for_each(|state| bits.add(&state));
 }
 
-fn by_midpoints(bits: &mut Bits, width: Width) {
-    let body = Craft::<f64>::default();
+fn by_midpoints<B: Generic<State: Kept> + Integrate<Best: Together<B>>>(
+    bits: &mut Bits,
+    body: &B,
+    width: Width,
+) {
     let mut numbers = Numbers(12);
-    let mut ensemble = Ensemble::new(&body, (0..21).map(|_| numbers.state()));
+    let mut ensemble = Ensemble::new(body, (0..21).map(|_| numbers.state()));
     ensemble.set_width(width);
     let method = Fixed {
         method: Midpoint,
@@ -58,19 +61,21 @@ fn two_lanes_are_there() {
     assert_eq!(Width::widest(), Width::Two);
 }
 
-/// A body in space and one in the plane, the same in each width that the processor has.
+/// A body by all methods, and others by the simplest, the same in each width that the processor has.
 pub fn bodies() -> Vec<(Width, Bits)> {
     in_each_width(|bits, width| {
         of(bits, &Craft::<f64>::default(), width);
-        by_midpoints(bits, width);
-        of(bits, &Plank::<f64>::default(), width);
+        by_midpoints(bits, &Craft::<f64>::default(), width);
+        by_midpoints(bits, &Plank::<f64>::default(), width);
+        by_midpoints(bits, &DoublePendulum::<f64>::default(), width);
     })
 }
 
-/// More bodies, the same in each width that the processor has.
+/// More bodies by all methods, the same in each width that the processor has.
 #[cfg(any(debug_assertions, feature = "whole"))]
 pub fn further_bodies() -> Vec<(Width, Bits)> {
     in_each_width(|bits, width| {
+        of(bits, &Plank::<f64>::default(), width);
         of(bits, &Turning::<f64>::default(), width);
         of(bits, &Top::<f64>::default(), width);
         of(bits, &Wave::<f64>::default(), width);
@@ -80,6 +85,7 @@ pub fn further_bodies() -> Vec<(Width, Bits)> {
 }
 
 /// Systems, the same in each width that the processor has.
+#[cfg(any(debug_assertions, feature = "whole"))]
 pub fn systems() -> Vec<(Width, Bits)> {
     in_each_width(|bits, width| of(bits, &DoublePendulum::<f64>::default(), width))
 }

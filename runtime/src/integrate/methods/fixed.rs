@@ -127,12 +127,13 @@ impl<M: RungeKutta, B: RigidBody<Scalar = f64, State: Coordinates>> Run<B> for F
         if !now.arrive(change, next) {
             let rates = equations.rates(time, &coordinates);
             let is_finite = rates.as_ref().iter().all(|rate| rate.is_finite());
-            return Err(if M::IS_IMPLICIT && is_finite {
+            let error = if M::IS_IMPLICIT && is_finite {
                 let state = now.state();
                 IntegrationError::StepTooLong { time, state, step }
             } else {
                 now.not_finite()
-            });
+            };
+            return Err(error.of_step(step, (body, input)));
         }
         *before = (time, coordinates);
         Ok(())

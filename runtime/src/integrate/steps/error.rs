@@ -235,9 +235,6 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
                 load: None,
             } => (time, state, None),
             Self::StepTooSmall { time, state, step } => (time, state, Some(step)),
-            Self::StepTooLong { time, state, step } => {
-                return Self::too_long((time, state, step), (body, input));
-            }
             other => return other,
         };
         let nearest = f64::EPSILON * time.abs().max(1e-6);
@@ -279,24 +276,38 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
 }
 
 impl<S: State<Scalar = f64>> IntegrationError<S> {
-    /// An implicit step that was not solved: because of a load without a value on the way to its
-    /// middle, if there is one, whatever its length.
+    /// A step \[s\] without an end: because of a load without a value on its way, if there is one,
+    /// whatever the length of the step.
     #[cold]
-    fn too_long<B: RigidBody<Scalar = f64, State = S>>(
-        (time, state, step): (f64, S, f64),
+    pub(crate) fn of_step<B: RigidBody<Scalar = f64, State = S>>(
+        self,
+        step: f64,
         (body, input): (&B, &B::Input),
     ) -> Self {
+        let (Self::NotFinite {
+            time, ref state, ..
+        }
+        | Self::StepTooLong {
+            time, ref state, ..
+        }) = self
+        else {
+            return self;
+        };
         let ahead = Ahead {
             body,
             input,
             time,
-            rate: state.rate(&body.acceleration(time, &state, input)),
-            nearest: libm::scalbn(step, -DOUBLINGS),
-            state: &state,
+            rate: state.rate(&body.acceleration(time, state, input)),
+            nearest: libm::scalbn(step, 1 - DOUBLINGS),
+            state,
         };
         match ahead.lost_load() {
-            None => Self::StepTooLong { time, state, step },
-            load => Self::NotFinite { time, state, load },
+            None => self,
+            load => Self::NotFinite {
+                time,
+                state: state.clone(),
+                load,
+            },
         }
     }
 }

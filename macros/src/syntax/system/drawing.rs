@@ -47,8 +47,13 @@ impl System {
     /// Takes `.at(..)` from inertias and masses.
     pub(super) fn take_centers(&mut self, errors: &mut Errors) {
         if let Some(centers) = &mut self.centers {
+            // next to a file, the drawing itself is an error
+            let is_reported = self.file.is_some();
             let bodies = self.bodies.iter_mut();
-            centers.extend(bodies.map(|body| take_center(body, errors)));
+            centers.extend(bodies.map(|body| match take_center(body, errors) {
+                Center::Missing if is_reported => Center::Reported,
+                center => center,
+            }));
         }
     }
 }

@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Ident, Span, TokenTree};
 
 use crate::errors::{Errors, Extent};
-use crate::syntax::Description;
 use crate::syntax::entries::key_value;
 use crate::syntax::mjcf;
 use crate::syntax::tokens::{stream, string};
 use crate::syntax::urdf;
 use crate::syntax::xml::{Beside, Told};
+use crate::syntax::{Description, Written};
 
 use super::System;
 
@@ -77,14 +77,31 @@ impl System {
                 let message = "`locked` holds joints of a file, and there is no `urdf: \"..\"` or `mjcf: \"..\"`";
                 errors.push(first.name.span(), message);
             }
+            let is_named = |key: &Ident| KEYS.iter().any(|word| key == word);
+            if self.top.keys.iter().any(is_named) {
+                self.lose_substances();
+            }
             return;
         };
         let before = errors.count();
-        if self.add_file(&mut file, errors).is_none() || errors.count() > before {
+        let added = self.add_file(&mut file, errors);
+        if added.is_none() {
+            self.lose_substances();
+        }
+        if added.is_none() || errors.count() > before {
             self.lost.bodies = true;
             self.lost.joints = true;
         }
         self.file = Some(file);
+    }
+
+    /// If the file is not read, the mass and inertia that a body lacks may be in it.
+    fn lose_substances(&mut self) {
+        for body in &mut self.bodies {
+            for written in [&mut body.mass, &mut body.inertia] {
+                written.get_or_insert(Written { value: None });
+            }
+        }
     }
 
     fn add_file(&mut self, file: &mut File, errors: &mut Errors) -> Option<()> {
@@ -94,6 +111,12 @@ impl System {
         if let Some(motion) = &self.top.motion {
             let message = "a file describes a system in space: leave `motion` out";
             return errors.report(motion.word.span(), message);
+        }
+        if self.is_drawn() {
+            let mut keys = self.top.keys.iter();
+            let key = keys.find(|key| *key == "drawing");
+            let message = "a file describes each body in its own axes, and so do the bodies and joints next to it: leave `drawing` out";
+            return errors.report(key.map_or(*span, Ident::span), message);
         }
         let (path, text) = file_beside(name, *span, errors)?;
         let beside = Beside {

@@ -266,3 +266,22 @@ proptest! {
         prop_assert_eq!(free, none);
     }
 }
+
+rigid_body!(TwiceTurned {
+    motion: rotation,
+    inputs: [torque = body(_, _, _)[N * m]],
+    inertia: principal(1, 2, 2.5)[kg * m ^ 2]
+        .turned(body(0, 0, 1), 90[deg])
+        .turned(body(1, 0, 0), 90[deg]),
+    moments: [drive = torque],
+});
+
+/// The second axis is not rotated by the first rotation: x and y are exchanged, then y and z.
+#[test]
+fn rotations_of_an_inertia_are_about_axes_of_the_body() {
+    let input = TwiceTurnedInput {
+        torque: [2.0, 2.5, 1.0].into(),
+    };
+    let found = TwiceTurned::default().acceleration(0.0, &Rotation::default(), &input);
+    assert!((found - Vector3::repeat(1.0)).norm() < 1e-15);
+}

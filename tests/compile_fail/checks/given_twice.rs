@@ -13,4 +13,15 @@ rigid_body!(Drone {
     ],
 });
 
+rigid_body!(Kite {
+    motion: planar,
+    params: [pull = 1[N], wind = 2[N]],
+    mass: 1[kg],
+    inertia: 0.1[kg * m ^ 2],
+    forces: [line = world(pull, wind)],
+    checks: [
+        flies = (angular_acceleration > -1[rad / s ^ 2]).given(pull = 1[N]).given(wind = 2[N]),
+    ],
+});
+
 fn main() {}

@@ -14,19 +14,13 @@ const FORM: &str = "a check compares two scalars: write `a < b`, `<=`, `>`, `>=`
 
 /// The part of an entry after its name.
 pub fn parse_check(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Check {
-    let (rest, given) = match rest {
-        [
-            rest @ ..,
-            TokenTree::Punct(dot),
-            TokenTree::Ident(word),
-            TokenTree::Group(group),
-        ] if dot.as_char() == '.'
-            && word == "given"
-            && group.delimiter() == Delimiter::Parenthesis =>
-        {
-            (rest, parse_given(word, group, errors))
+    let mut given = Vec::new();
+    let rest = match split_given(rest) {
+        Some((before, word, group)) => {
+            given = parse_given(word, group, errors);
+            without_given(before, errors)
         }
-        _ => (rest, Vec::new()),
+        None => rest,
     };
     let value = parse_value(&name, rest, errors);
     let mut claims = Vec::new();
@@ -38,6 +32,34 @@ pub fn parse_check(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Chec
         claims,
         given,
     }
+}
+
+/// What comes before `.given(..)`, its name and its values.
+fn split_given(rest: &[TokenTree]) -> Option<(&[TokenTree], &Ident, &Group)> {
+    let [
+        before @ ..,
+        TokenTree::Punct(dot),
+        TokenTree::Ident(word),
+        TokenTree::Group(group),
+    ] = rest
+    else {
+        return None;
+    };
+    let is_given =
+        dot.as_char() == '.' && word == "given" && group.delimiter() == Delimiter::Parenthesis;
+    is_given.then_some((before, word, group))
+}
+
+/// Reports each further `.given(..)`.
+fn without_given<'r>(mut rest: &'r [TokenTree], errors: &mut Errors) -> &'r [TokenTree] {
+    while let Some((before, word, _)) = split_given(rest) {
+        errors.push(
+            word.span(),
+            "`.given(..)` is written twice: put all values into one",
+        );
+        rest = before;
+    }
+    rest
 }
 
 /// Collects all comparisons joined by `&&`. Operators form a chain from left to right.

@@ -7,6 +7,7 @@ use crate::model::{Labels, System, Workspace};
 use crate::symbolic::{Function, Graph, Id};
 
 use super::closed::Closed;
+use super::constraints::ConstraintRow;
 use super::equations::SystemEquations;
 use super::rates::order;
 
@@ -88,7 +89,7 @@ fn corrections(graph: &mut Graph, closed: &Closed) -> (Vec<Vec<Id>>, Vec<Vec<Id>
 
 /// Names the changes of rows per unit of a load, as inverse masses.
 fn label(labels: &mut Labels, closed: &Closed, couplings: &[Vec<Id>]) {
-    let names = || closed.rows().map(|row| row.name.replace('.', "_"));
+    let names = || closed.rows().map(ConstraintRow::spelled);
     for (own, couplings) in names().zip(couplings) {
         for (other, coupling) in names().zip(couplings) {
             let of = if own == other {

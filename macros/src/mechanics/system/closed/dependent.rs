@@ -29,7 +29,7 @@ use crate::symbolic::{Equation, Graph, Id};
 
 use super::super::constraints::ConstraintRow;
 use super::super::reduced::label;
-use super::eliminated::{Following, Found, equations};
+use super::eliminated::{Following, Found, equations, names};
 use super::groups::{Group, full};
 use super::guard::{Closeness, guard};
 use super::rows::Owner;
@@ -198,8 +198,7 @@ fn left(
     if !solved.undetermined.is_empty() {
         return None;
     }
-    let names = rows.iter().map(|row| row.spelled());
-    let names: Vec<String> = matrix.names.iter().cloned().chain(names).collect();
+    let names = names(matrix, &rows);
     label(&mut work.labels, &solved, &names);
     for (value, name) in solved.values.iter().zip(&names) {
         work.labels.name(*value, format!("{name}_alone"));
@@ -260,9 +259,9 @@ impl Left {
             for (acceleration, coordinate) in self.units[own].iter().zip(coordinates) {
                 labels.name(*acceleration, format!("{coordinate}_per_{name}"));
             }
-            labels.name(self.matrix[own][own], format!("inverse_inertia_{name}"));
+            labels.name(self.matrix[own][own], format!("inverse_mass_{name}"));
             for (entry, second) in self.matrix[own].iter().zip(&names).skip(own + 1) {
-                labels.name(*entry, format!("inverse_inertia_{name}_{second}"));
+                labels.name(*entry, format!("inverse_mass_{name}_{second}"));
             }
             labels.name(self.right[own], format!("{name}_to_close"));
             labels.name(loads[own], format!("{name}_load"));

@@ -37,10 +37,10 @@ pub struct Following<'a> {
     pub accelerations: &'a [Id],
 }
 
-/// Solves for the accelerations of `coordinates` and for loads. Loads may depend on the symbols in `following`.
+/// Solves for the accelerations of the coordinates and for loads. Loads may depend on the symbols in `following`.
 pub fn eliminated(
     work: &mut Workspace,
-    (matrix, coordinates): (&MassMatrix, &[String]),
+    matrix: &MassMatrix,
     kept: &[(Owner, ConstraintRow)],
     following: Following<'_>,
 ) -> Found {
@@ -48,9 +48,7 @@ pub fn eliminated(
     let rows: Vec<&ConstraintRow> = kept.iter().map(|(_, row)| row).collect();
     let equations = equations(work, matrix, &rows, following);
     let solved = work.graph.solve(equations.clone(), count + kept.len());
-    let rows = rows.iter().map(|row| row.name.replace('.', "_"));
-    let names: Vec<String> = coordinates.iter().cloned().chain(rows).collect();
-    label(&mut work.labels, &solved, &names);
+    label(&mut work.labels, &solved, &names(matrix, &rows));
     // loads that balance each other: a unit of each undetermined load, with the loads of others
     // that it needs
     let mut spare = Vec::new();
@@ -74,6 +72,12 @@ pub fn eliminated(
         follows: vec![false; kept.len()],
         light,
     }
+}
+
+/// The names of the coordinates, and then of the rows.
+pub fn names(matrix: &MassMatrix, rows: &[&ConstraintRow]) -> Vec<String> {
+    let rows = rows.iter().map(|row| row.spelled());
+    matrix.names.iter().cloned().chain(rows).collect()
 }
 
 /// `M q'' - A^T l = f` and `A q'' = -b`, for the accelerations and then the loads l. The part of f

@@ -139,9 +139,7 @@ fn found(
                 loads: &loads.collect::<Vec<Option<Id>>>(),
                 accelerations,
             };
-            let open = known.built.tree.links.iter().flat_map(Link::open);
-            let names: Vec<String> = open.map(|freedom| freedom.name.clone()).collect();
-            let eliminated = eliminated(work, (matrix, &names), &known.kept, following);
+            let eliminated = eliminated(work, matrix, &known.kept, following);
             let cost = |found: &Found| work.graph.late_cost(&found.accelerations).total();
             let by_blocks = by_blocks.filter(|one| cost(one) < cost(&eliminated));
             by_blocks.unwrap_or(eliminated)

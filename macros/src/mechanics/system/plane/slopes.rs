@@ -160,7 +160,7 @@ pub fn of_row(graph: &mut Graph, absolute: &Absolute, row: &ConstraintRow) -> Li
     let known = absolute.known(graph, &row.slopes);
     let right = graph.subtract(known, row.bias);
     LinearRow {
-        name: row.name.replace('.', "_"),
+        name: row.spelled(),
         sizes: slopes.iter().map(|one| graph.square(*one)).collect(),
         slopes,
         right: graph.quantity(right),

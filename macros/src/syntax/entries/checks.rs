@@ -14,14 +14,16 @@ const FORM: &str = "a check compares two scalars: write `a < b`, `<=`, `>`, `>=`
 
 /// The part of an entry after its name.
 pub fn parse_check(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Check {
-    let mut given = Vec::new();
-    let rest = match split_given(rest) {
-        Some((before, word, group)) => {
-            given = parse_given(word, group, errors);
-            without_given(before, errors)
+    let (mut rest, mut given) = (rest, None);
+    while let Some((before, word, group)) = split_given(rest) {
+        if given.is_some() {
+            let message = "`.given(..)` is written twice: put all values into one";
+            errors.push(word.span(), message);
+        } else {
+            given = Some(parse_given(word, group, errors));
         }
-        None => rest,
-    };
+        rest = before;
+    }
     let value = parse_value(&name, rest, errors);
     let mut claims = Vec::new();
     if let Some(value) = value {
@@ -30,7 +32,7 @@ pub fn parse_check(name: Ident, rest: &[TokenTree], errors: &mut Errors) -> Chec
     Check {
         name,
         claims,
-        given,
+        given: given.unwrap_or_default(),
     }
 }
 
@@ -48,18 +50,6 @@ fn split_given(rest: &[TokenTree]) -> Option<(&[TokenTree], &Ident, &Group)> {
     let is_given =
         dot.as_char() == '.' && word == "given" && group.delimiter() == Delimiter::Parenthesis;
     is_given.then_some((before, word, group))
-}
-
-/// Reports each further `.given(..)`.
-fn without_given<'r>(mut rest: &'r [TokenTree], errors: &mut Errors) -> &'r [TokenTree] {
-    while let Some((before, word, _)) = split_given(rest) {
-        errors.push(
-            word.span(),
-            "`.given(..)` is written twice: put all values into one",
-        );
-        rest = before;
-    }
-    rest
 }
 
 /// Collects all comparisons joined by `&&`. Operators form a chain from left to right.

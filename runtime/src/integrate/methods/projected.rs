@@ -22,8 +22,8 @@ use crate::state::Coordinates;
 /// A start with violations above rounding ([`Constrained::check`]) is an error: correct it, or
 /// `project` it first. If an input in a constraint changes, the state jumps to the nearest consistent
 /// one: the velocities, and also the positions if a `.moving` input does not go on where its last
-/// value led. If a constraint or its rate jumps for another reason, the motion ends with [`IntegrationError::Jump`]: at a condition on time, or within a step if the method has a
-/// tolerance.
+/// value led. If a constraint or its rate jumps for another reason, the motion ends with
+/// [`IntegrationError::Jump`]: at a condition on time, or within a step if the method has a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projected<M>(pub M);
 

@@ -238,14 +238,8 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
             other => return other,
         };
         let nearest = f64::EPSILON * time.abs().max(1e-6);
-        let ahead = Ahead {
-            body,
-            input,
-            time,
-            rate: state.rate(&body.acceleration(time, &state, input)),
-            nearest: if forwards { nearest } else { -nearest },
-            state: &state,
-        };
+        let towards = if forwards { nearest } else { -nearest };
+        let ahead = Ahead::new((body, input), (time, &state), towards);
         let ran_out = ahead.impossible(0.0);
         let load = if too_small.is_none() && ran_out.is_none() {
             ahead.lost_load()
@@ -273,9 +267,7 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
             (None, None) => Self::NotFinite { time, state, load },
         }
     }
-}
 
-impl<S: State<Scalar = f64>> IntegrationError<S> {
     /// A step \[s\] without an end: because of a load without a value on its way, if there is one,
     /// whatever the length of the step.
     #[cold]
@@ -293,14 +285,11 @@ impl<S: State<Scalar = f64>> IntegrationError<S> {
         else {
             return self;
         };
-        let ahead = Ahead {
-            body,
-            input,
-            time,
-            rate: state.rate(&body.acceleration(time, state, input)),
-            nearest: libm::scalbn(step, 1 - DOUBLINGS),
-            state,
-        };
+        let ahead = Ahead::new(
+            (body, input),
+            (time, state),
+            libm::scalbn(step, 1 - DOUBLINGS),
+        );
         match ahead.lost_load() {
             None => self,
             load => Self::NotFinite {
@@ -319,12 +308,27 @@ struct Ahead<'b, B: RigidBody> {
     time: f64,
     state: &'b B::State,
     rate: <B::State as State>::Rate,
-    /// The rounding of time \[s\], negative backwards.
+    /// The nearest time ahead \[s\], negative backwards.
     nearest: f64,
 }
 
-impl<B: RigidBody<Scalar = f64, State: State<Scalar = f64>>> Ahead<'_, B> {
-    /// Doubled again and again, from the rounding of time on \[s\].
+impl<'b, B: RigidBody<Scalar = f64, State: State<Scalar = f64>>> Ahead<'b, B> {
+    fn new(
+        (body, input): (&'b B, &'b B::Input),
+        (time, state): (f64, &'b B::State),
+        nearest: f64,
+    ) -> Self {
+        Self {
+            body,
+            input,
+            time,
+            state,
+            rate: state.rate(&body.acceleration(time, state, input)),
+            nearest,
+        }
+    }
+
+    /// Doubled again and again, from the nearest on \[s\].
     fn times(&self, doublings: i32) -> impl Iterator<Item = f64> {
         let nearest = self.nearest;
         (0..doublings).map(move |power| nearest * libm::exp2(f64::from(power)))

@@ -64,9 +64,8 @@ fn two_lanes_are_there() {
 /// A body by all methods, and others by the simplest, the same in each width that the processor has.
 pub fn bodies() -> Vec<(Width, Bits)> {
     in_each_width(|bits, width| {
-        of(bits, &Craft::<f64>::default(), width);
+        of(bits, &Plank::<f64>::default(), width);
         by_midpoints(bits, &Craft::<f64>::default(), width);
-        by_midpoints(bits, &Plank::<f64>::default(), width);
         by_midpoints(bits, &DoublePendulum::<f64>::default(), width);
     })
 }
@@ -75,7 +74,7 @@ pub fn bodies() -> Vec<(Width, Bits)> {
 #[cfg(any(debug_assertions, feature = "whole"))]
 pub fn further_bodies() -> Vec<(Width, Bits)> {
     in_each_width(|bits, width| {
-        of(bits, &Plank::<f64>::default(), width);
+        of(bits, &Craft::<f64>::default(), width);
         of(bits, &Turning::<f64>::default(), width);
         of(bits, &Top::<f64>::default(), width);
         of(bits, &Wave::<f64>::default(), width);

@@ -204,14 +204,14 @@ fn motions_along_series() {
 #[cfg(feature = "ensemble")]
 #[test]
 fn ensembles_of_bodies() {
-    check_ensembles(ensembles::bodies, 0x0b27_9115_e87c_89c1);
+    check_ensembles(ensembles::bodies, 0xe64d_5eb2_3497_f4e1);
 }
 
 /// Optimized, these take minutes to compile.
 #[cfg(all(feature = "ensemble", any(debug_assertions, feature = "whole")))]
 #[test]
 fn ensembles_of_further_bodies() {
-    check_ensembles(ensembles::further_bodies, 0x5cb6_26d0_c712_d7c1);
+    check_ensembles(ensembles::further_bodies, 0xacfd_092e_48f0_6cc3);
 }
 
 #[cfg(all(feature = "ensemble", any(debug_assertions, feature = "whole")))]

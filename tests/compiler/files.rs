@@ -115,9 +115,9 @@ fn no_file_makes_the_compiler_panic() {
     let text = fs::read_to_string(folder().join("small.urdf")).expect("the file is there");
     assert_eq!(errors(&expanded("small.urdf", text.as_bytes())), 0);
     let (mut random, mut refused) = (Random(0x9e37_79b9_7f4a_7c15), 0);
-    for _ in 0..2000 {
+    for _ in 0..1000 {
         let bytes = mutant(&text, &mut random);
         refused += usize::from(errors(&expanded("mutant.urdf", &bytes)) > 0);
     }
-    assert!((800..2000).contains(&refused), "{refused}");
+    assert!((400..1000).contains(&refused), "{refused}");
 }

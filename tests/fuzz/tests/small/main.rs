@@ -39,7 +39,7 @@ fn mutated_descriptions_are_answered() {
 fn mutated_systems_are_answered() {
     let report = run(Plan {
         of_systems: true,
-        ..plan(3, 1000, 1)
+        ..plan(3, 500, 1)
     });
     assert!(report.failures.is_empty(), "{:?}", report.failures);
     assert!(report.mutants_accepted.count() > 5 && report.mutants_rejected.count() > 100);

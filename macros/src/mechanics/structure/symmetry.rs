@@ -11,13 +11,15 @@
 //! This condition is linear in e. Directions that satisfy it at some random states, and then at one
 //! more random state, on every branch, satisfy it in all states. Only the result is emitted.
 
+use std::ops::ControlFlow;
+
 use crate::mechanics::balances::inertia_about_center;
 use crate::mechanics::proofs::RandomState;
 use crate::mechanics::variation::Direction;
 use crate::model::{Inertia, Model, Workspace};
 use crate::symbolic::{
     Algebra, Components, Function, Graph, Id, Node, Number, Residue, Residues, Spectrum, Tape,
-    on_branches,
+    until_decided,
 };
 
 /// The directions about which a rotation changes nothing. A group of rotations has no other sets of
@@ -238,16 +240,21 @@ impl Case<'_> {
         for number in 0.. {
             let before = space.basis.len();
             let state = RandomState::draw(number);
-            for changes in on_branches(|residues| self.changes(&tape, residues, &state)) {
-                for normal in changes {
+            until_decided(|residues| {
+                for normal in self.changes(&tape, residues, &state) {
                     match normal {
                         [Some(x), Some(y), Some(z)] => space.cut(&[x, y, z]),
                         // an expression without a value cannot be proved symmetric
-                        _ => return none,
+                        _ => space.basis.clear(),
                     }
                 }
-            }
-            if space.basis.len() == before {
+                if space.basis.is_empty() {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            });
+            if space.basis.is_empty() || space.basis.len() == before {
                 break;
             }
         }

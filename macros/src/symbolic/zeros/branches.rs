@@ -1,6 +1,7 @@
 //! The branches of an expression: both signs of every root, both outcomes of every condition.
 
 use std::collections::HashMap;
+use std::ops::ControlFlow;
 
 use crate::symbolic::algebra::takes_first;
 use crate::symbolic::graph::{Graph, Id, Node};
@@ -16,9 +17,18 @@ pub const MOST_CHOICES: usize = 6;
 /// The result of `evaluate` on each branch.
 pub fn on_branches<T>(mut evaluate: impl FnMut(&mut Residues<'_>) -> T) -> Vec<T> {
     let mut values = Vec::new();
+    until_decided(|residues| {
+        values.push(evaluate(residues));
+        ControlFlow::Continue(())
+    });
+    values
+}
+
+/// Evaluates on one branch after the other, until all are tried or `evaluate` breaks off.
+pub fn until_decided(mut evaluate: impl FnMut(&mut Residues<'_>) -> ControlFlow<()>) {
     // the choices of a branch, in the order in which they are met
     let mut path: Vec<bool> = Vec::new();
-    loop {
+    for count in 1.. {
         let mut met: HashMap<Side, bool> = HashMap::new();
         let mut side = |side: Side| {
             let place = met.len();
@@ -30,17 +40,19 @@ pub fn on_branches<T>(mut evaluate: impl FnMut(&mut Residues<'_>) -> T) -> Vec<T
             });
             Some(*choice)
         };
-        values.push(evaluate(&mut Residues::new(&mut side)));
+        if evaluate(&mut Residues::new(&mut side)).is_break() {
+            return;
+        }
         while path.last() == Some(&true) {
             path.pop();
         }
         let Some(last) = path.last_mut() else {
-            return values;
+            return;
         };
         *last = true;
-        if values.len() == 1 << MOST_CHOICES {
-            values.push(evaluate(&mut Residues::new(&mut |_| None)));
-            return values;
+        if count == 1 << MOST_CHOICES {
+            let _ = evaluate(&mut Residues::new(&mut |_| None));
+            return;
         }
     }
 }

@@ -20,4 +20,4 @@ pub use number::{
     Foreign, Function, Number, PrincipalAxes, Residue, Spectrum, Symmetry, Table, scaled,
 };
 pub use series::{Coordinate, LANES, Origin, Polynomial, Recurrences, Sum, Term};
-pub use zeros::{Residues, Sample, free, on_branches, until_decided};
+pub use zeros::{Residues, Sample, free, until_decided};

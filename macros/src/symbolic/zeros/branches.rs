@@ -14,44 +14,62 @@ use super::identity::{Residues, Side};
 /// any mixture of two sides, so it holds on all branches.
 pub const MOST_CHOICES: usize = 6;
 
-/// The result of `evaluate` on each branch.
-pub fn on_branches<T>(mut evaluate: impl FnMut(&mut Residues<'_>) -> T) -> Vec<T> {
-    let mut values = Vec::new();
-    until_decided(|residues| {
-        values.push(evaluate(residues));
-        ControlFlow::Continue(())
-    });
-    values
+/// The choices of a branch, in the order in which they are met.
+#[derive(Default)]
+struct Branch {
+    choices: Vec<bool>,
 }
 
-/// Evaluates on one branch after the other, until all are tried or `evaluate` breaks off.
-pub fn until_decided(mut evaluate: impl FnMut(&mut Residues<'_>) -> ControlFlow<()>) {
-    // the choices of a branch, in the order in which they are met
-    let mut path: Vec<bool> = Vec::new();
-    for count in 1.. {
+impl Branch {
+    fn evaluate<T>(&mut self, mut evaluate: impl FnMut(&mut Residues<'_>) -> T) -> T {
         let mut met: HashMap<Side, bool> = HashMap::new();
         let mut side = |side: Side| {
             let place = met.len();
             let choice = met.entry(side).or_insert_with(|| {
-                if place == path.len() {
-                    path.push(false);
+                if place == self.choices.len() {
+                    self.choices.push(false);
                 }
-                path[place]
+                self.choices[place]
             });
             Some(*choice)
         };
-        if evaluate(&mut Residues::new(&mut side)).is_break() {
-            return;
+        evaluate(&mut Residues::new(&mut side))
+    }
+
+    /// Goes on to the next branch, if there is one.
+    fn advance(&mut self) -> bool {
+        while self.choices.last() == Some(&true) {
+            self.choices.pop();
         }
-        while path.last() == Some(&true) {
-            path.pop();
+        let last = self.choices.last_mut();
+        last.map(|choice| *choice = true).is_some()
+    }
+}
+
+/// The result of `evaluate` on each branch.
+pub fn on_branches<T>(mut evaluate: impl FnMut(&mut Residues<'_>) -> T) -> Vec<T> {
+    let mut branch = Branch::default();
+    let mut values = vec![branch.evaluate(&mut evaluate)];
+    while branch.advance() {
+        if values.len() == 1 << MOST_CHOICES {
+            values.push(evaluate(&mut Residues::new(&mut |_| None)));
+            break;
         }
-        let Some(last) = path.last_mut() else {
-            return;
-        };
-        *last = true;
-        if count == 1 << MOST_CHOICES {
+        values.push(branch.evaluate(&mut evaluate));
+    }
+    values
+}
+
+/// Evaluates on one branch after the other, until `evaluate` breaks off. Where not all can be tried,
+/// the one on which choices are symbols stands for all that follow.
+pub fn until_decided(mut evaluate: impl FnMut(&mut Residues<'_>) -> ControlFlow<()>) {
+    let mut branch = Branch::default();
+    while branch.evaluate(&mut evaluate).is_continue() {
+        if branch.choices.len() > MOST_CHOICES {
             let _ = evaluate(&mut Residues::new(&mut |_| None));
+            return;
+        }
+        if !branch.advance() {
             return;
         }
     }

@@ -5,6 +5,6 @@ mod degree;
 mod identity;
 mod samples;
 
-pub use branches::{on_branches, until_decided};
+pub use branches::until_decided;
 pub use identity::Residues;
 pub use samples::{Sample, free};

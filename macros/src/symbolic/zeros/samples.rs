@@ -37,11 +37,12 @@ impl Sample {
             .any(|value| value.is_some_and(|value| !value.is_zero()))
     }
 
-    /// Whether it may be zero everywhere on some branch.
+    /// Whether it may be zero everywhere on some branch: of branches that are not tried, nothing is
+    /// known.
     pub fn may_vanish(&self) -> bool {
-        self.0
-            .iter()
-            .any(|value| value.is_none_or(Residue::is_zero))
+        let are_all_tried = self.0.len() <= 1 << MOST_CHOICES;
+        let is_nonzero = |value: &Option<Residue>| value.is_some_and(|value| !value.is_zero());
+        !(are_all_tried && self.0.iter().all(is_nonzero))
     }
 
     /// `self / divisor`

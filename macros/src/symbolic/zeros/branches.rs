@@ -46,7 +46,8 @@ impl Branch {
     }
 }
 
-/// The result of `evaluate` on each branch.
+/// The result of `evaluate` on each branch. There are more than can be tried if there is one more than
+/// `MOST_CHOICES` have.
 pub fn on_branches<T>(mut evaluate: impl FnMut(&mut Residues<'_>) -> T) -> Vec<T> {
     let mut branch = Branch::default();
     let mut values = vec![branch.evaluate(&mut evaluate)];

@@ -3,6 +3,7 @@
 
 mod added;
 mod bodies;
+mod branches;
 mod held;
 mod systems;
 

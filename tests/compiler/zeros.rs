@@ -254,6 +254,10 @@ fn branches_that_are_not_tried_may_vanish() {
         let root = graph.subtract(whole, product);
         let samples = graph.samples(&[root], |id| free(id, 0));
         assert_eq!(samples[0].may_vanish(), may_vanish, "{count} conditions");
+        assert_eq!(
+            samples[0].is_nonzero_where_tried(),
+            !may_vanish || count > 6
+        );
     }
 }
 

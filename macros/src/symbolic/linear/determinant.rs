@@ -18,7 +18,7 @@ use super::system::System;
 
 impl System<'_> {
     /// Solves the smallest set of equations with as many unknowns, if there is one and it is
-    /// singular on no branch.
+    /// singular on no branch that is tried.
     pub(super) fn solve_block(&mut self) -> bool {
         let Some((rows, columns)) = self.first_block() else {
             return false;
@@ -33,7 +33,7 @@ impl System<'_> {
             .collect();
         match (&rows[..], &columns[..]) {
             ([row], [column]) => {
-                let is_regular = !self.rows[*row].sample[*column].may_vanish();
+                let is_regular = self.rows[*row].sample[*column].is_nonzero_where_tried();
                 if is_regular {
                     self.eliminate(*row, *column);
                 }
@@ -47,7 +47,8 @@ impl System<'_> {
     fn solve_pair(&mut self, rows: [usize; 2], columns: [usize; 2], solved: &[usize]) -> bool {
         let samples = rows.map(|row| columns.map(|column| self.rows[row].sample[column].clone()));
         let [[a, b], [c, d]] = &samples;
-        if a.times(d).minus(&b.times(c)).may_vanish() {
+        let determinant = a.times(d).minus(&b.times(c));
+        if !determinant.is_nonzero_where_tried() {
             return false;
         }
         let of = |column: usize| rows.map(|row| self.coefficient(row, column));

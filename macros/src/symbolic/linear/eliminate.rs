@@ -87,7 +87,7 @@ impl System<'_> {
         }
     }
 
-    /// The best coefficient that does not vanish.
+    /// The best coefficient that is not proved to be zero.
     fn next_pivot(&self) -> Option<(Kind, usize, usize)> {
         let open = self.open();
         let candidates = open.flat_map(|column| self.left.iter().map(move |row| (*row, column)));
@@ -97,7 +97,7 @@ impl System<'_> {
             let others = sample.iter().filter(|entry| !entry.is_zero());
             let kind = self.kind(row, column);
             (
-                sample[column].may_vanish(),
+                !sample[column].is_nonzero_where_tried(),
                 kind,
                 others.count(),
                 row,

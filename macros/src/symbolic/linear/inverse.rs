@@ -35,7 +35,7 @@ impl System<'_> {
         };
         let mut rows: Vec<Vec<Entry>> = (0..count).map(row).collect();
         for k in 0..count {
-            let pivot = (k..count).find(|row| !rows[*row][k].1.may_vanish())?;
+            let pivot = (k..count).find(|row| rows[*row][k].1.is_nonzero_where_tried())?;
             rows.swap(k, pivot);
             let divisor = rows[k][k].clone();
             for entry in &mut rows[k] {
@@ -58,7 +58,7 @@ impl System<'_> {
     /// The columns of the unit matrix.
     fn units(&self, columns: &[Vec<Entry>]) -> Option<Vec<Vec<Entry>>> {
         let mut entries = columns.iter().flatten();
-        let Entry(_, sample) = entries.find(|entry| !entry.1.may_vanish())?;
+        let Entry(_, sample) = entries.find(|entry| entry.1.is_nonzero_where_tried())?;
         let one = Entry(self.graph.one(), sample.over(sample));
         let nothing = Entry::nothing(self.graph, sample);
         let units = (0..columns.len()).map(|own| {

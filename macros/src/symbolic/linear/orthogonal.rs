@@ -96,7 +96,7 @@ impl System<'_> {
         for k in 0..count {
             let own = vectors[k].clone();
             let square = self.dot(&weights, &own, &own);
-            if square.1.may_vanish() {
+            if !square.1.is_nonzero_where_tried() {
                 return None;
             }
             let (inverse_square, inverse) = if self.graph.as_number(square.0).is_some() {
@@ -144,7 +144,7 @@ impl System<'_> {
                 sum.0 = self.graph.add(sum.0, square);
                 sum.1 = sum.1.plus(&sample.times(sample));
             }
-            let unit = (!sum.1.may_vanish()).then(|| sum.1.over(&sum.1))?;
+            let unit = sum.1.is_nonzero_where_tried().then(|| sum.1.over(&sum.1))?;
             let weight = self.graph.divide(one, sum.0);
             Some(Entry(self.graph.quantity(weight), unit.over(&sum.1)))
         })

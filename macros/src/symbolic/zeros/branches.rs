@@ -77,24 +77,19 @@ pub fn until_decided(mut evaluate: impl FnMut(&mut Residues<'_>) -> ControlFlow<
 }
 
 impl Graph {
-    /// The conditions that decide between the sides of `roots`.
-    pub fn conditions(&mut self, roots: &[Id]) -> Vec<Id> {
-        let mut conditions = Vec::new();
-        for id in self.nodes_of(roots) {
-            conditions.extend(self.sides(id).map(|(condition, ..)| condition));
-        }
-        conditions.sort_unstable();
-        conditions.dedup();
-        conditions
+    /// A condition that decides between two sides of `roots`, and is inside of no other side.
+    pub fn outermost_condition(&mut self, roots: &[Id]) -> Option<Id> {
+        let mut nodes = self.nodes_of(roots).into_iter().rev();
+        nodes.find_map(|id| Some(self.sides(id)?.0))
     }
 
-    /// `roots` on the branch in which the conditions have these outcomes.
-    pub fn on_side(&mut self, roots: &[Id], holds: impl Fn(Id) -> bool) -> Vec<Id> {
+    /// `roots` where a condition holds, or where it does not.
+    pub fn on_side(&mut self, roots: &[Id], decided: Id, holds: bool) -> Vec<Id> {
         self.rebuild(roots, |graph, id, image| match graph.sides(id) {
-            Some((condition, first, second)) => {
-                image(if holds(condition) { first } else { second })
+            Some((condition, first, second)) if condition == decided => {
+                image(if holds { first } else { second })
             }
-            None => graph.remake(id, image),
+            _ => graph.remake(id, image),
         })
     }
 

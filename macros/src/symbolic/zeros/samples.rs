@@ -37,12 +37,18 @@ impl Sample {
             .any(|value| value.is_some_and(|value| !value.is_zero()))
     }
 
+    /// Whether it is nonzero on each branch that is tried: enough to prefer one divisor to others, and
+    /// no proof.
+    pub fn is_nonzero_where_tried(&self) -> bool {
+        let is_nonzero = |value: &Option<Residue>| value.is_some_and(|value| !value.is_zero());
+        self.0.iter().all(is_nonzero)
+    }
+
     /// Whether it may be zero everywhere on some branch: of branches that are not tried, nothing is
     /// known.
     pub fn may_vanish(&self) -> bool {
         let are_all_tried = self.0.len() <= 1 << MOST_CHOICES;
-        let is_nonzero = |value: &Option<Residue>| value.is_some_and(|value| !value.is_zero());
-        !(are_all_tried && self.0.iter().all(is_nonzero))
+        !(are_all_tried && self.is_nonzero_where_tried())
     }
 
     /// `self / divisor`

@@ -121,6 +121,9 @@ orders! {
     small: if x < 0.001[m] { 0[m] } else { height - y };
     always: if x > 10[m] { y - height } else { 2 * (y - height) };
     clipped: (x - 10[m]).max(0[m]) / 1[m] * (y - height);
+    tables: if x < 1[m] { 0[m] } else if x < 2[m] { y - height } else if x < 3[m] { 0[m] }
+        else if x < 4[m] { y - height } else if x < 5[m] { 0[m] } else if x < 6[m] { y - height }
+        else if x < 7[m] { 0[m] } else if x < 8[m] { y - height } else { 0[m] };
 }
 
 #[test]
@@ -185,6 +188,7 @@ fn a_floor_that_begins_somewhere_holds_from_there() {
         small: [(-5.0, false), (0.0, false), (0.002, true), (7.0, true)];
         always: [(0.0, true), (20.0, true)];
         clipped: [(0.0, false), (9.0, false), (11.0, true), (1e3, true)];
+        tables: [(0.5, false), (1.5, true), (4.5, false), (5.5, true), (7.5, true), (9.0, false)];
     }
 }
 

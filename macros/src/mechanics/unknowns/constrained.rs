@@ -8,8 +8,9 @@ use crate::mechanics::variation::{Rates, rates};
 use crate::model::{Level, Model, Workspace};
 use crate::symbolic::Id;
 
-/// The most conditions that are examined together.
-const MOST_CONDITIONS: usize = 6;
+/// The most conditions that are decided, one inside the other or side by side: eight that have nothing
+/// to do with each other.
+const MOST_CONDITIONS: usize = 255;
 
 /// A constraint with its derivatives.
 pub struct Constrained {
@@ -45,32 +46,31 @@ pub fn differentiate(model: &Model, work: &mut Workspace) -> Vec<Constrained> {
 /// The branches on which the gradient of a constraint is not proved to be zero; `None` if these are
 /// all.
 pub fn active(work: &mut Workspace, gradient: &[Id]) -> Option<Id> {
-    let conditions = work.graph.conditions(gradient);
-    if conditions.is_empty() || conditions.len() > MOST_CONDITIONS {
-        return None;
-    }
-    let mut idle = work.graph.truth(false);
-    for outcomes in 0..1_usize << conditions.len() {
-        let holds = |condition: Id| {
-            let place = conditions.iter().position(|known| *known == condition);
-            place.is_some_and(|place| outcomes >> place & 1 == 1)
-        };
-        let there = work.graph.on_side(gradient, holds);
-        if all_vanish(work, &there) {
-            let graph = &mut work.graph;
-            let mut all = graph.truth(true);
-            for condition in &conditions {
-                let outcome = if holds(*condition) {
-                    *condition
-                } else {
-                    graph.not(*condition)
-                };
-                all = graph.and(all, outcome);
-            }
-            idle = graph.or(idle, all);
-        }
+    work.graph.outermost_condition(gradient)?;
+    let mut left = MOST_CONDITIONS;
+    let idle = idle(work, gradient, &mut left);
+    let graph = &mut work.graph;
+    (idle != graph.truth(false)).then(|| graph.not(idle))
+}
+
+/// Where a gradient is proved to be zero; `left` is how many conditions may still be decided.
+fn idle(work: &mut Workspace, gradient: &[Id], left: &mut usize) -> Id {
+    let condition = work.graph.outermost_condition(gradient);
+    let Some(condition) = condition.filter(|_| *left > 0) else {
+        let is_idle = all_vanish(work, gradient);
+        return work.graph.truth(is_idle);
+    };
+    *left -= 1;
+    let [there, elsewhere] = [true, false].map(|holds| {
+        let side = work.graph.on_side(gradient, condition, holds);
+        idle(work, &side, left)
+    });
+    if there == elsewhere {
+        return there;
     }
     let graph = &mut work.graph;
-    let never = graph.truth(false);
-    (idle != never).then(|| graph.not(idle))
+    let opposite = graph.not(condition);
+    let there = graph.and(condition, there);
+    let elsewhere = graph.and(opposite, elsewhere);
+    graph.or(there, elsewhere)
 }

@@ -14,7 +14,7 @@ mod series;
 mod zeros;
 
 pub use algebra::{Algebra, Exact, Tape};
-pub use graph::{Comparison, Components, Cost, Graph, Id, Node, Program, Stage, Symbol};
+pub use graph::{Comparison, Components, Cost, Graph, Id, Node, Program, ShortMap, Stage, Symbol};
 pub use linear::{Elimination, Equation, Size, Span, Undetermined};
 pub use number::{
     Foreign, Function, Number, PrincipalAxes, Residue, Spectrum, Symmetry, Table, scaled,

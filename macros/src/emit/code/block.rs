@@ -2,13 +2,13 @@
 //! mechanics if there are any, otherwise descriptions of the computation.
 
 use std::cell::RefCell;
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeSet, HashSet};
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use crate::model::{Meaning, Workspace};
-use crate::symbolic::{Id, Node, Number};
+use crate::symbolic::{Id, Node, Number, ShortMap};
 
 use super::naming::{Names, local};
 use super::writer::{Source, Writer};
@@ -19,7 +19,7 @@ const LENGTH: usize = 24;
 /// The statements of a function, while they are written.
 pub struct Block<'a> {
     pub writer: &'a Writer<'a>,
-    pub names: HashMap<Id, Ident>,
+    pub names: ShortMap<Id, Ident>,
     pub taken: Names,
     pub noted: HashSet<&'static str>,
     pub reads: Vec<Source>,
@@ -33,7 +33,7 @@ impl<'a> Block<'a> {
     pub fn new(writer: &'a Writer<'a>, is_generic: bool) -> Self {
         Self {
             writer,
-            names: HashMap::new(),
+            names: ShortMap::default(),
             taken: writer.taken(),
             noted: HashSet::new(),
             reads: Vec::new(),

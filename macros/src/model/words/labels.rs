@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::symbolic::{Components, Id};
+use crate::symbolic::{Components, Id, ShortMap};
 
 /// Axes, as suffixes of names.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
@@ -10,11 +10,11 @@ pub const AXES: [&str; 3] = ["x", "y", "z"];
 /// Names of expressions, for statements and documentation. An expression keeps its first name.
 #[derive(Default)]
 pub struct Labels {
-    names: HashMap<Id, String>,
+    names: ShortMap<Id, String>,
     notes: HashMap<&'static str, &'static str>,
-    meanings: HashMap<Id, &'static str>,
+    meanings: ShortMap<Id, &'static str>,
     /// The unknowns that guarded reciprocals give.
-    unknowns: HashMap<Id, String>,
+    unknowns: ShortMap<Id, String>,
     /// Whether nothing gets a name, as in trials.
     is_silent: bool,
 }

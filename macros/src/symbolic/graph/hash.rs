@@ -1,11 +1,15 @@
 //! The hash of nodes. Keys are short and numerous. Collisions are no danger: users who provoke them
 //! only slow down their own builds.
 
-use core::hash::Hasher;
+use core::hash::{BuildHasherDefault, Hasher};
+use std::collections::HashMap;
+
+/// A map of short keys: nodes, or their words.
+pub type ShortMap<K, V> = HashMap<K, V, BuildHasherDefault<WordHasher>>;
 
 /// Rotates and multiplies, word by word.
 #[derive(Clone, Copy, Default)]
-pub(in crate::symbolic) struct WordHasher(u64);
+pub struct WordHasher(u64);
 
 /// 2^64 divided by the golden ratio: odd, and its bits have no pattern.
 const FACTOR: u64 = 0x9e37_79b9_7f4a_7c15;

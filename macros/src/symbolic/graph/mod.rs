@@ -16,5 +16,6 @@ mod values;
 mod vector;
 
 pub use cost::Cost;
+pub use hash::ShortMap;
 pub use nodes::{Comparison, Components, Graph, Id, Node, Stage, Symbol};
 pub use program::Program;

@@ -5,12 +5,11 @@
 //! their meanings.
 
 use core::cmp::Ordering;
-use core::hash::BuildHasherDefault;
 use std::collections::HashMap;
 
 use crate::symbolic::number::{Foreign, Function, Number, Spectrum, Table};
 
-use super::hash::WordHasher;
+use super::hash::ShortMap;
 use super::pending::Pending;
 
 /// An expression in a [`Graph`].
@@ -173,7 +172,7 @@ impl Node {
 }
 
 /// The lookup by words.
-type ByWords<K> = HashMap<K, Id, BuildHasherDefault<WordHasher>>;
+type ByWords<K> = ShortMap<K, Id>;
 
 /// All expressions of one description.
 pub struct Graph {

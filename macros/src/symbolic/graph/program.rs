@@ -1,9 +1,8 @@
 //! From a graph to straight-line code: which expressions become statements, and in which order.
 
-use std::collections::HashMap;
-
 use crate::symbolic::number::Function;
 
+use super::hash::ShortMap;
 use super::nodes::{Graph, Id, Node, Stage};
 use super::values::Values;
 
@@ -71,7 +70,7 @@ impl Graph {
         let operands = |id: Id| self.node(id).operands().map(first).filter(computed);
         let mut uses = vec![0_u32; nodes.last().map_or(0, |last| last.index() + 1)];
         let mut weights = vec![0_u32; uses.len()];
-        let mut readers: HashMap<Id, Id> = HashMap::new();
+        let mut readers: ShortMap<Id, Id> = ShortMap::default();
         for reader in nodes {
             for id in operands(*reader) {
                 uses[id.index()] += 1;

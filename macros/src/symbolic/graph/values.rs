@@ -1,16 +1,15 @@
 //! Nodes that have the same value, though rules see different expressions: a quantity and its
 //! content, and what is built from either.
 
-use std::collections::HashMap;
-
 use crate::symbolic::number::Function;
 
+use super::hash::ShortMap;
 use super::nodes::{Graph, Id, Node};
 
 /// Which nodes of a program have the value of an earlier one.
 pub struct Values {
-    firsts: HashMap<Id, Id>,
-    copies: HashMap<Id, Vec<Id>>,
+    firsts: ShortMap<Id, Id>,
+    copies: ShortMap<Id, Vec<Id>>,
 }
 
 impl Values {
@@ -29,10 +28,10 @@ impl Graph {
     /// The values of `nodes`, which are in order.
     pub(super) fn values(&self, nodes: &[Id]) -> Values {
         let mut values = Values {
-            firsts: HashMap::new(),
-            copies: HashMap::new(),
+            firsts: ShortMap::default(),
+            copies: ShortMap::default(),
         };
-        let mut known = HashMap::new();
+        let mut known = ShortMap::default();
         for &id in nodes {
             let first = |id: Id| values.first(id);
             let found = match *self.node(id) {

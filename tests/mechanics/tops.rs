@@ -419,8 +419,8 @@ proptest! {
         prop_assert!(distance(&begun.attitude, &start) < 1e-15);
         prop_assert!((begun.angular_velocity - w).amax() < 1e-14);
         let integrated = Top { transverse: 1.0, axial, torque: 0.0 };
-        let [attitude, rates] = difference(&motion, &integrated, 2.0, 1000);
-        // Steps of at most 10 mrad, 10 rad in all.
+        let [attitude, rates] = difference(&motion, &integrated, 0.5, 250);
+        // Steps of at most 10 mrad, 2.5 rad in all.
         prop_assert!(attitude < 1e-9 && rates < 1e-9);
         let momentum = start * Vector3::new(w.x, w.y, axial * w.z);
         let same = top.free_with_momentum(start, &momentum).at(2.0);

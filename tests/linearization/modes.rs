@@ -177,3 +177,29 @@ fn weak_damping_is_seen() {
         }
     }
 }
+
+#[test]
+fn critical_modes_are_all_there() {
+    // a mount in the plane, x'' = -k x - c x': each direction has a double root, which decays in
+    // one case and grows in the other
+    for [first, second] in [[2.5, 2.0], [3.0, 2.8], [1.8, 3.7], [4.3, 2.5]] {
+        for sign in [1.0, -1.0] {
+            let mut a = SMatrix::<f64, 4, 4>::zeros();
+            for (place, rate) in [first, sign * second].into_iter().enumerate() {
+                a[(place, place + 2)] = 1.0;
+                a[(place + 2, place)] = -rate * rate;
+                a[(place + 2, place + 2)] = -2.0 * rate;
+            }
+            let modes = Known(a).modes().expect("it converges");
+            let count: usize = (modes.iter())
+                .map(|mode| 1 + usize::from(mode.period().is_some()))
+                .sum();
+            assert_eq!(count, 4, "{first} {second} {sign}: {modes:?}");
+            let sum: f64 = (modes.iter())
+                .map(|mode| mode.eigenvalue.re * (1.0 + f64::from(mode.eigenvalue.im > 0.0)))
+                .sum();
+            assert!((sum + 2.0 * (first + sign * second)).abs() < 1e-12);
+            assert_eq!(modes.is_stable(), sign > 0.0, "{first} {second}: {modes:?}");
+        }
+    }
+}

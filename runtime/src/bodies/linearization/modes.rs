@@ -160,7 +160,7 @@ where
     for pitch in MIRRORS {
         let schur = Schur::<f64, Const<N>>::try_new(matrix, f64::EPSILON, ITERATIONS * N);
         if let Some(schur) = schur {
-            return Some(schur.complex_eigenvalues());
+            return Some(schur.complex_eigenvalues().map(at_a_double_root));
         }
         let mut angle = 1.0;
         let normal = SVector::<f64, N>::from_fn(|row, _| {
@@ -172,6 +172,15 @@ where
         matrix = mirror * matrix * mirror;
     }
     None
+}
+
+/// The roots of a block that rounding makes real are given as NaN off the real axis: there the two
+/// are one, to the root of rounding.
+fn at_a_double_root(mut value: Complex<f64>) -> Complex<f64> {
+    if value.im.is_nan() {
+        value.im = 0.0;
+    }
+    value
 }
 
 /// The rounding errors of the Schur form are those of a change of the balanced matrix by at most

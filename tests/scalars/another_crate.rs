@@ -72,3 +72,28 @@ fn numbers_of_num_dual() {
         (3.0, 0.0)
     );
 }
+
+/// Angles have slopes on both axes, where one quotient of the sides is infinite.
+#[test]
+fn angles_all_around() {
+    let places = [-2.0, -0.3, 0.0, 0.3, 2.0];
+    for (y, x) in places.into_iter().flat_map(|y| places.map(|x| (y, x))) {
+        if [y, x] == [0.0; 2] {
+            continue;
+        }
+        for index in 0..2 {
+            let number = |value: f64, number: usize| {
+                let plain = Dual64::from_re(value);
+                NumDual(if number == index {
+                    plain.derivative()
+                } else {
+                    plain
+                })
+            };
+            let theirs = number(y, 0).atan2(number(x, 1)).0;
+            let slope = [x, -y][index] / (x * x + y * y);
+            assert!((theirs.re - y.atan2(x)).abs() < 1e-15, "{y} {x} {theirs}");
+            assert!((theirs.eps - slope).abs() < 1e-15, "{y} {x} {theirs}");
+        }
+    }
+}

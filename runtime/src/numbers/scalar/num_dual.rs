@@ -156,7 +156,13 @@ impl<D: Number> Scalar for NumDual<D> {
     }
 
     fn atan2(self, other: Self) -> Self {
-        Self(DualNum::atan2(&self.0, other.0))
+        let (y, x) = (self.0.re(), other.0.re());
+        if y.abs() <= x.abs() {
+            return Self(DualNum::atan2(&self.0, other.0));
+        }
+        // by the quotient that is finite
+        let right = Self::number(core::f64::consts::FRAC_PI_2.copysign(y));
+        right - Self((other.0 / self.0).atan())
     }
 
     /// The derivative by the exponent is omitted if the base is not positive.

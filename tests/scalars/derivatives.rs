@@ -159,3 +159,25 @@ fn derivatives_at_rest() {
     ];
     assert_eq!([zero.sqrt().derivatives, length.derivatives], [[0.0]; 2]);
 }
+
+/// A power of zero does not change with its exponent, nor a power to nothing with its base; a
+/// length of nothing has a slope of zero, as in a linearization.
+#[test]
+fn powers_and_lengths_of_nothing() {
+    type D = Dual<f64, 2>;
+    let base = D::variable(0.0, 0);
+    let exponent = |value| D::variable(value, 1);
+    assert_eq!(base.powf(exponent(2.0)).derivatives, [0.0, 0.0]);
+    assert_eq!(base.powf(exponent(1.0)).derivatives, [1.0, 0.0]);
+    assert_eq!(base.powf(D::from(0.0)).derivatives, [0.0, 0.0]);
+    let line = Dual {
+        value: D::variable(0.0, 0),
+        derivatives: [D::from(1.0)],
+    };
+    let straight = line.powf(Dual::from(D::from(1.0)));
+    assert_eq!(straight.derivatives[0].derivatives, [0.0, 0.0]);
+    for length in [base.hypot(D::variable(0.0, 1)), base.hypot(D::from(0.0))] {
+        assert_eq!((length.value, length.derivatives), (0.0, [0.0, 0.0]));
+        assert_eq!((length * base).derivatives, [0.0, 0.0]);
+    }
+}

@@ -8,7 +8,7 @@ use super::Scalar;
 ///
 /// `value + Σ derivatives[i] ε_i` with `ε_i ε_j = 0`. For second derivatives use
 /// `Dual<Dual<f64, N>, N>`. At a kink of a function, the derivative is that of the branch
-/// of the value; comparisons use the values.
+/// of the value, and zero for a `hypot` that is zero; comparisons use the values.
 ///
 /// ```
 /// use newton_euler::{Dual, Scalar, rigid_body, prelude::*};
@@ -315,7 +315,8 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
     fn powf(self, exponent: Self) -> Self {
         let (x, y) = (self.value, exponent.value);
         let power = x.powf(y);
-        let slopes = [y * x.powf(y - self.one()), power * x.ln()];
+        // a base of zero has an infinite slope or logarithm, which nothing multiplies
+        let slopes = [y.along(x.powf(y - self.one())), power.along(x.ln())];
         self.join_steep(exponent, power, slopes)
     }
 
@@ -335,8 +336,9 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
 
     fn hypot(self, other: Self) -> Self {
         let distance = self.value.hypot(other.value);
-        let slopes = [self.value / distance, other.value / distance];
-        self.join_steep(other, distance, slopes)
+        let is_zero = distance.equal(self.zero());
+        let slope = |side: T| T::select(is_zero, self.zero(), side / distance);
+        self.join_steep(other, distance, [slope(self.value), slope(other.value)])
     }
 
     fn abs(self) -> Self {

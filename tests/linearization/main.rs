@@ -14,6 +14,7 @@ mod oracle;
 mod own;
 mod rest;
 mod sensitivity;
+mod stiff_neighbours;
 mod stiff_steps;
 mod systems;
 mod textbook;

@@ -163,6 +163,7 @@ fn derivatives_at_rest() {
 /// A power of zero does not change with its exponent, nor a power to nothing with its base; a
 /// length of nothing has a slope of zero, as in a linearization.
 #[test]
+#[allow(clippy::float_cmp, reason = "all are exact")]
 fn powers_and_lengths_of_nothing() {
     type D = Dual<f64, 2>;
     let base = D::variable(0.0, 0);

@@ -105,11 +105,7 @@ impl<const N: usize> Modes<N> {
         DefaultAllocator:
             Allocator<Const<N>, DimDiff<Const<N>, U1>> + Allocator<DimDiff<Const<N>, U1>>,
     {
-        // noise in a balanced matrix would be as large as what it is balanced with (D. Watkins, A case
-        // where balancing is harmful)
-        let floor = noise * matrix.amax();
-        let matrix = matrix.map(|entry| if entry.abs() <= floor { 0.0 } else { entry });
-        let Balanced { matrix, scale, .. } = Balanced::of(&matrix)?;
+        let Balanced { matrix, scale, .. } = Balanced::of(matrix)?;
         let count = f64::from(u32::try_from(size).unwrap_or(u32::MAX));
         let rounding = (ROUNDING * count + noise) * matrix.norm();
         let (rest, moving) = without_neutral(matrix, size, NEUTRAL + noise);
@@ -279,18 +275,29 @@ fn without_neutral<const N: usize>(
     }
 }
 
-/// A matrix restricted to the directions that some rows permit, and their number.
+/// A matrix restricted to the directions that some rows permit, and their number. The directions are
+/// known to a fraction `noise` of their length.
 pub(super) fn restricted<const N: usize>(
     matrix: &SMatrix<f64, N, N>,
     rows: &SMatrix<f64, N, N>,
+    noise: f64,
 ) -> (SMatrix<f64, N, N>, usize) {
     let (columns, rank) = basis(rows, N, ROWS);
     let permitted = &columns[rank..];
+    // noise in a balanced matrix would be as large as what it is balanced with (D. Watkins, A case
+    // where balancing is harmful)
+    let from = |along: &Column<N>| matrix.tr_mul(&along.of).norm();
+    let is_noise = |entry: f64, image: &SVector<f64, N>, along: &Column<N>| {
+        rank > 0 && entry.abs() <= noise * (image.norm() + from(along))
+    };
     let mut inside = SMatrix::zeros();
     for (number, to) in permitted.iter().enumerate() {
         let image = matrix * to.of;
         for (row, along) in permitted.iter().enumerate() {
-            inside[(row, number)] = along.of.dot(&image);
+            let entry = along.of.dot(&image);
+            if !is_noise(entry, &image, along) {
+                inside[(row, number)] = entry;
+            }
         }
     }
     (inside, permitted.len())

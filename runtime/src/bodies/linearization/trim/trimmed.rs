@@ -34,7 +34,7 @@ impl<B: Coordinated<N, M>, const N: usize, const M: usize> Trimmed<B, N, M> {
         DefaultAllocator:
             Allocator<Const<N>, DimDiff<Const<N>, U1>> + Allocator<DimDiff<Const<N>, U1>>,
     {
-        let (matrix, size) = restricted(&self.matrix, &self.constraints);
+        let (matrix, size) = restricted(&self.matrix, &self.constraints, SLOPES);
         let noise = if size < N { SLOPES } else { 0.0 };
         Modes::of(&matrix, size, noise)
     }

@@ -7,7 +7,8 @@
 //! the ten numbers.
 //!
 //! Asserts: mass, center of mass and inertia are those of the craft that flew, to eight digits;
-//! with instrument noise, to a corresponding accuracy.
+//! with instrument noise, to a corresponding accuracy. A log without turns, and one with a hole, tell
+//! nothing.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 use newton_euler::prelude::*;
@@ -80,12 +81,19 @@ fn log() -> Vec<(f64, Spatial, SpatialAcceleration)> {
     lines
 }
 
+/// The least part of a column that the columns before it must leave, as the sine of an angle. Noise
+/// in the log is amplified by its reciprocal.
+const LEAST: f64 = 1e-4;
+
 /// Least squares, sum of Y^T Y p = sum of Y^T f; `noise` gives the error of each acceleration by
-/// its place in the log.
-fn identify(noise: impl Fn(u32) -> f64) -> SVector<f64, 10> {
+/// its place in the log. `None` if the log does not tell all ten numbers.
+fn identify(
+    log: impl IntoIterator<Item = (f64, Spatial, SpatialAcceleration)>,
+    noise: impl Fn(u32) -> f64,
+) -> Option<SVector<f64, 10>> {
     let (mut squares, mut sides) = (SMatrix::<f64, 10, 10>::zeros(), SVector::zeros());
     let mut place = 0;
-    for (time, state, mut motion) in log() {
+    for (time, state, mut motion) in log {
         for number in motion.linear.iter_mut().chain(motion.angular.iter_mut()) {
             *number += noise(place);
             place += 1;
@@ -98,8 +106,16 @@ fn identify(noise: impl Fn(u32) -> f64) -> SVector<f64, 10> {
         squares += rows.transpose() * rows;
         sides += rows.transpose() * loads;
     }
-    let factor = squares.cholesky().expect("the log tells all ten numbers");
-    factor.solve(&sides)
+    // columns of length one, so that units do not matter
+    let size = squares.diagonal().map(f64::sqrt);
+    let factor = squares
+        .component_div(&(size * size.transpose()))
+        .cholesky()?;
+    let left = factor.l().diagonal();
+    let found = factor
+        .solve(&sides.component_div(&size))
+        .component_div(&size);
+    (left.min() > LEAST && found.iter().all(|number| number.is_finite())).then_some(found)
 }
 
 /// The log, and its evaluation with and without noise.
@@ -118,9 +134,19 @@ pub fn main() {
     let mut flown = SVector::<f64, 10>::zeros();
     flown.copy_from_slice(&[&[m], h.as_slice(), &about].concat());
 
-    let found = identify(|_| 0.0);
+    let found = identify(log(), |_| 0.0).expect("the log tells all ten numbers");
     // a hundredth of a unit, positive and negative by an irrational step
-    let noisy = identify(|place| 0.02 * ((f64::from(place) * 0.618_033_988_749_895).fract() - 0.5));
+    let noise = |place| 0.02 * ((f64::from(place) * 0.618_033_988_749_895).fract() - 0.5);
+    let noisy = identify(log(), noise).expect("the log tells all ten numbers");
+
+    // at rest, and with one reading missing
+    let still = log().into_iter().map(|(time, ..)| {
+        let nothing = (Spatial::default(), SpatialAcceleration::default());
+        (time, nothing.0, nothing.1)
+    });
+    assert!(identify(still, |_| 0.0).is_none());
+    let hole = |place| if place == 77 { f64::NAN } else { 0.0 };
+    assert!(identify(log(), hole).is_none());
 
     println!(
         "about the instrument   flown      found      with noise of 1 cm/s^2 and 0.01 rad/s^2"

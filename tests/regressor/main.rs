@@ -5,8 +5,10 @@
 
 mod arms;
 mod bodies;
+mod both_levels;
 #[path = "../coordinates/mod.rs"]
 mod coordinates;
+mod falls;
 mod generic;
 #[path = "../../examples/identification.rs"]
 mod identification;

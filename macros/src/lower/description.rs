@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use crate::errors::{Errors, every, silently, similar};
 use crate::lower::definitions::{
-    INVERSE, LINEARIZATION, Offer, check_changing, check_names, outline_under, unused,
+    INVERSE, LINEARIZATION, Offer, REGRESSOR, check_changing, check_names, outline_under, unused,
 };
 use crate::lower::expressions::{
     Lowering, Members, Scope, is_drive, is_unknown, motion, written_motion,
@@ -12,8 +12,8 @@ use crate::lower::expressions::{
 use crate::lower::loads::check_states;
 use crate::model::{
     Checks, Declared, Defaults, Drawn, ENTRIES, FIXED_POINT, Inertia, Labels, MOTIONS, Mass, Model,
-    Motion, Outline, PIVOT, PLANAR, PLANAR_TRANSLATION, Reaction, SPATIAL, TRANSLATION, Workspace,
-    state_symbols,
+    Motion, Outline, PIVOT, PLANAR, PLANAR_TRANSLATION, Reaction, SPATIAL, TRANSLATION, Unweighed,
+    UnweighedBody, Workspace, state_symbols,
 };
 use crate::syntax::{self, Description};
 
@@ -23,6 +23,28 @@ pub type Read = (Outline, Option<(Model, Workspace)>);
 /// Reads a body. One that is described in the plane under a motion in space, or the reverse, has
 /// one error for that, if it has fewer errors under the other motion.
 pub fn read_body(
+    description: &Description,
+    offers: &[&'static Offer],
+    errors: &mut Errors,
+) -> Read {
+    let (outline, mut meaning) = read_in_its_space(description, offers, errors);
+    if let Some((model, _)) = &mut meaning
+        && outline.asks_for(&[REGRESSOR])
+    {
+        model.unweighed = silently(|errors| {
+            let mut outline = outline_under(outline.motion, description, offers, errors);
+            let work = Workspace::with_unknown_masses();
+            let (model, work) = lower_description(description, &mut outline, work, errors)?;
+            let turns = model.motion.has_attitude();
+            let body = (&model.substance(), model.state.body, turns);
+            let body = UnweighedBody::new(body, model.loads.iter());
+            Some(Unweighed::shared(work, vec![body]))
+        });
+    }
+    (outline, meaning)
+}
+
+fn read_in_its_space(
     description: &Description,
     offers: &[&'static Offer],
     errors: &mut Errors,
@@ -58,7 +80,7 @@ pub fn read_body(
 }
 
 fn read_outline(description: &Description, mut outline: Outline, errors: &mut Errors) -> Read {
-    let model = lower_description(description, &mut outline, errors);
+    let model = lower_description(description, &mut outline, Workspace::new(), errors);
     (outline, model)
 }
 
@@ -127,10 +149,10 @@ fn likely_motion(description: &Description, offers: &[&'static Offer]) -> Motion
 fn lower_description(
     description: &Description,
     outline: &mut Outline,
+    mut work: Workspace,
     errors: &mut Errors,
 ) -> Option<(Model, Workspace)> {
     let repeated = check_names(description, errors);
-    let mut work = Workspace::new();
     let mut state = state_symbols(outline.motion, &mut work);
     let mut scope = Scope::new(description, repeated);
     let names = outline.reactions.iter().map(|(name, _)| name.to_string());

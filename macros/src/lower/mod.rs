@@ -7,7 +7,7 @@ mod inertia;
 mod loads;
 mod system;
 
-pub use definitions::{FLOW, INVERSE, LINEARIZATION, Offer};
+pub use definitions::{FLOW, INVERSE, LINEARIZATION, Offer, REGRESSOR};
 pub use description::{outline, read_body};
 pub use expressions::{is_drive, is_unknown};
 pub use system::{outline_system, read_system, targets};

@@ -12,8 +12,8 @@ mod words;
 pub use body::{
     Along, Asked, Charges, Composed, Constraint, Declared, Defaults, Displaced, Drawn, ENTRIES,
     Form, Inertia, Jointed, Level, Load, Mass, Matrix, Origin, Outline, Potential, Potentials,
-    Reaction, SOLIDS, Solid, Substance, Violation, displaced, is_flat, is_possible, is_solid,
-    least_moment, matrix, thinnest, words,
+    Reaction, SOLIDS, Shared, Solid, Substance, Unweighed, UnweighedBody, Violation, displaced,
+    is_flat, is_possible, is_solid, least_moment, matrix, thinnest, words,
 };
 pub use joints::{
     Coordinate, FIXED_POINT, Field, Group, Joint, MOTIONS, Motion, Orientation, PIVOT, PLANAR,
@@ -49,6 +49,8 @@ pub struct Model {
     /// Whether an inertia was given for a body that does not rotate.
     pub has_idle_inertia: bool,
     pub loads: Vec<Load>,
+    /// The same body with an unknown mass, if a regressor is requested.
+    pub unweighed: Option<Shared>,
     /// If loads depend on accelerations: the loads as functions of the symbols of accelerations.
     pub following: Vec<Load>,
     /// Potentials and fields that become loads by differentiation.
@@ -84,6 +86,7 @@ impl Model {
             is_differentiated: false,
             has_idle_inertia: false,
             loads,
+            unweighed: None,
             following: Vec::new(),
             potentials: Potentials::default(),
             reactions: Vec::new(),

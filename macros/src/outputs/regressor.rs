@@ -6,7 +6,7 @@ use quote::quote;
 
 use crate::emit::code::{Method, Site, Source, Told, Writer};
 use crate::emit::items::Addition;
-use crate::lower::Offer;
+use crate::lower::{Offer, REGRESSOR};
 use crate::mechanics::{self, inertial_parameters};
 use crate::model::Outline;
 use crate::symbolic::Id;
@@ -17,7 +17,7 @@ use super::subject::Subject;
 
 const OFFER: Offer = Offer {
     is_of_motion: true,
-    ..Offer::new("regressor")
+    ..Offer::new(REGRESSOR)
 };
 
 /// The regressor of each body, in the order of the description.

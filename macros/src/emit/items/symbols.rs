@@ -99,7 +99,7 @@ fn describe(outline: &Outline, meaning: Meaning) -> Option<(Place, (usize, usize
             of_declared(Kind::Input, index, part, &outline.inputs, "input")
         }
         Meaning::Own(index) => of_declared(Kind::State, index, None, &outline.states, "state"),
-        Meaning::Constant(_) | Meaning::Reaction(..) | Meaning::Virtual => None,
+        Meaning::Constant(_) | Meaning::Reaction(..) | Meaning::Mass(_) | Meaning::Virtual => None,
     }
 }
 

@@ -4,6 +4,8 @@ use crate::errors::Errors;
 use crate::model::{Meaning, Outline, Workspace};
 use crate::symbolic::Id;
 
+use super::outline::REGRESSOR;
+
 /// Outputs that are functions of the state alone, not of time.
 const OF_STATE: [&str; 2] = ["energy", "momentum"];
 
@@ -21,7 +23,7 @@ pub fn check_changing(work: &Workspace, known: &[Id], outline: &Outline, errors:
             errors.push(place, message);
         }
     }
-    if let Some((_, place)) = asked(&"regressor").filter(|_| !graph.are_early(known)) {
+    if let Some((_, place)) = asked(&REGRESSOR).filter(|_| !graph.are_early(known)) {
         let message = "the inertial parameters of a regressor are constant, and here mass or inertia change: leave \
                        out `regressor`";
         errors.push(place, message);

@@ -119,6 +119,7 @@ impl Lowering<'_> {
                 None => self.mass(value, defaults),
                 Some(parts) => self.mass_of_parts(parts, defaults),
             };
+            let id = id.map(|id| self.work.weighed(id));
             *mass = id.map_or(Mass::Reported, Mass::Known);
             id.map(|id| Value::Scalar(id, Dimension::MASS))
         } else {

@@ -14,4 +14,4 @@ mod support;
 pub use changing::check_changing;
 pub use names::{check_distinct, check_names, unused};
 pub use order::{Definition, check_circles, definition_order, split_at_points};
-pub use outline::{FLOW, INVERSE, LINEARIZATION, Offer, outline_under};
+pub use outline::{FLOW, INVERSE, LINEARIZATION, Offer, REGRESSOR, outline_under};

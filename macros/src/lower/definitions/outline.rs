@@ -21,6 +21,7 @@ const OF_SYSTEMS: [&str; 2] = ["mass_matrix", "jacobian"];
 pub const INVERSE: &str = "inverse";
 
 /// The output that needs derivatives of the equations.
+pub const REGRESSOR: &str = "regressor";
 pub const LINEARIZATION: &str = "linearization";
 pub const FLOW: &str = "flow";
 

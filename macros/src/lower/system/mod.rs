@@ -40,9 +40,10 @@ pub use read::read_system;
 fn lower_system(
     system: &syntax::System,
     outline: &mut Outline,
+    work: Workspace,
     errors: &mut Errors,
 ) -> Option<(System, Workspace)> {
-    let mut reader = Reader::new(system, outline, errors);
+    let mut reader = Reader::new(system, outline, work, errors);
     fields::check_fields(system, errors);
     reader.fixed(outline, errors);
     let mut wrong = HashSet::new();
@@ -92,6 +93,7 @@ fn lower_system(
         written,
         points,
         gravity,
+        unweighed: None,
         states,
         constraints,
         potentials: potentials?,

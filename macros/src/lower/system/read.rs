@@ -1,9 +1,9 @@
 //! A system as read, in the plane or in space.
 
-use crate::errors::Errors;
-use crate::lower::definitions::Offer;
+use crate::errors::{Errors, silently};
+use crate::lower::definitions::{Offer, REGRESSOR};
 use crate::lower::description::{count_errors, outline};
-use crate::model::{Outline, System, Workspace};
+use crate::model::{Outline, System, Unweighed, UnweighedBody, Workspace};
 use crate::syntax;
 
 use super::{lower_system, outline_system};
@@ -44,8 +44,25 @@ pub fn read_system(
 }
 
 fn read(system: &syntax::System, offers: &[&'static Offer], errors: &mut Errors) -> Read {
-    let mut outline = outline(&system.top, offers, errors);
-    outline_system(system, &mut outline);
-    let meaning = lower_system(system, &mut outline, errors);
+    let read = |work: Workspace, errors: &mut Errors| {
+        let mut outline = outline(&system.top, offers, errors);
+        outline_system(system, &mut outline);
+        let meaning = lower_system(system, &mut outline, work, errors);
+        (outline, meaning)
+    };
+    let (outline, mut meaning) = read(Workspace::new(), errors);
+    if let Some((known, _)) = &mut meaning
+        && outline.asks_for(&[REGRESSOR])
+    {
+        known.unweighed = silently(|errors| {
+            let (system, work) = read(Workspace::with_unknown_masses(), errors).1?;
+            let bodies = system.bodies.iter().map(|body| {
+                let loads = body.weights.iter().chain(&body.loads);
+                UnweighedBody::new((&body.substance(), body.state.body, true), loads)
+            });
+            let bodies = bodies.collect();
+            Some(Unweighed::shared(work, bodies))
+        });
+    }
     (outline, meaning)
 }

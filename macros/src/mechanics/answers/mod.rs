@@ -3,6 +3,7 @@
 mod axes;
 mod balance;
 mod energy;
+mod falls;
 mod momentum;
 mod partial;
 mod regressor;
@@ -12,6 +13,7 @@ mod taylor;
 pub use axes::Axes;
 pub use balance::{Balance, LoadExpressions, Resultant, derive_balance};
 pub use energy::{Energy, derive_energy, done_by_field};
+pub use falls::falls;
 pub use momentum::{Momentum, derive_momentum};
 pub use partial::{Partial, list_partial, loads, parts};
 pub use regressor::{Regressor, derive_regressor, inertial_parameters, told};

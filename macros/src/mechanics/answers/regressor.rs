@@ -9,10 +9,11 @@
 //! (Atkeson, An and Hollerbach, Estimation of inertial parameters of manipulator loads and links,
 //! 1986).
 
-use crate::mechanics::balances::uniform_field;
 use crate::mechanics::tree::{LinkMotion, Properties, SpatialVector};
 use crate::model::{Frame, Meaning, Model, Motion, Variable, Vector, Workspace};
 use crate::symbolic::Id;
+
+use super::falls::falls;
 
 /// The regressor of one body.
 pub struct Regressor {
@@ -129,24 +130,12 @@ fn of_rod(model: &Model, work: &mut Workspace) -> Regressor {
     }
 }
 
-/// The negative of the acceleration of free fall in the uniform fields that act at G.
+/// The negative of the acceleration of free fall.
 fn fall_against(model: &Model, work: &mut Workspace) -> Vector {
-    let turns = model.motion.has_attitude();
-    let mut weights = Vec::new();
-    for load in &model.loads {
-        let offset = uniform_field(work, model.state.body, turns, load);
-        if offset.is_some_and(|offset| work.graph.is_zero_vector(&offset)) {
-            weights.push(load.force);
-        }
-    }
-    let weight = work.sum(weights);
-    match model.mass {
-        Some(mass) => work.map(weight, |graph, part| {
-            let fall = part.map(|part| graph.divide(part, mass));
-            graph.negate_vector(fall)
-        }),
-        None => Vector::ZERO,
-    }
+    let falls = falls(work, model.unweighed.as_ref());
+    let fall = falls.first().copied().unwrap_or(work.graph.zeros());
+    let against = work.graph.negate_vector(fall);
+    work.vector(Frame::WORLD, against)
 }
 
 /// The components along which the body moves.

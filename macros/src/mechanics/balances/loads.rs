@@ -113,7 +113,8 @@ pub fn uniform_field(
             | Meaning::Param(..)
             | Meaning::Constant(_)
             | Meaning::Input(..)
-            | Meaning::Own(_),
+            | Meaning::Own(_)
+            | Meaning::Mass(_),
         )
         | None => false,
         Some(_) => true,

@@ -175,3 +175,19 @@ pub fn in_world(
     }
     turned
 }
+
+/// A vector in world axes, in the axes of a link.
+pub fn from_world(
+    graph: &mut Graph,
+    links: &[Link],
+    index: usize,
+    vector: Components,
+) -> Components {
+    let link = &links[index];
+    let carried = match link.carrier {
+        Some(carrier) => from_world(graph, links, carrier, vector),
+        None => vector,
+    };
+    let turned = link.turning.to_link(graph, carried);
+    graph.quantities(turned)
+}

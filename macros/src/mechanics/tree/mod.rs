@@ -23,7 +23,7 @@ pub mod turning;
 pub use alone::alone;
 pub use bias::LinkMotion;
 pub use build::{Built, build, wrench};
-pub use joint_loads::{along_freedoms, in_world, joint_loads, lacking, lacks, motions};
+pub use joint_loads::{along_freedoms, from_world, in_world, joint_loads, lacking, lacks, motions};
 pub use mass_matrix::MassMatrix;
 pub use properties::Properties;
 pub use recursion::{SolvedTree, derive_tree};

@@ -12,6 +12,7 @@ mod potential;
 mod reaction;
 mod solids;
 mod substance;
+mod unweighed;
 
 pub use composed::{Composed, Drawn, Origin};
 pub use constraint::{Constraint, Level};
@@ -25,3 +26,4 @@ pub use potential::{Along, Charges, Displaced, Form, Potential, Potentials};
 pub use reaction::Reaction;
 pub use solids::{SOLIDS, Solid, is_solid, words};
 pub use substance::Substance;
+pub use unweighed::{Shared, Unweighed, UnweighedBody};

@@ -43,6 +43,8 @@ pub struct Workspace {
     /// Whether a vector was rotated between frames that do not rotate, or whose rotation is not
     /// known yet.
     pub met_still: bool,
+    /// Where masses are read as unknown: the symbol of each mass, and its value as written.
+    pub unknown_masses: Option<Vec<(Id, Id)>>,
     /// Expressions of the description that may have no value for some parameters.
     pub doubtful: Vec<Doubtful>,
 }
@@ -56,6 +58,25 @@ impl Workspace {
             originals: vec![Frame::WORLD; 1],
             ..Self::default()
         }
+    }
+
+    /// The same, to read a description in which every mass is unknown.
+    pub fn with_unknown_masses() -> Self {
+        Self {
+            unknown_masses: Some(Vec::new()),
+            ..Self::new()
+        }
+    }
+
+    /// The mass, or a symbol for it where masses are unknown.
+    pub fn weighed(&mut self, mass: Id) -> Id {
+        let Some(known) = self.unknown_masses.as_ref().map(Vec::len) else {
+            return mass;
+        };
+        let symbol = self.symbol(Stage::Parameter, Meaning::Mass(known));
+        let masses = self.unknown_masses.iter_mut();
+        masses.for_each(|masses| masses.push((symbol, mass)));
+        symbol
     }
 
     /// A new frame, which can rotate relative to `carrier`. It is parallel until it gets an

@@ -11,7 +11,7 @@ use proc_macro2::Ident;
 use crate::errors::Extent;
 use crate::symbolic::{Components, Id};
 
-use super::body::{Constraint, Defaults, Form, Inertia, Load, Potentials, Substance};
+use super::body::{Constraint, Defaults, Form, Inertia, Load, Potentials, Shared, Substance};
 use super::joints::Rates;
 use super::kinematics::{Own, State};
 use super::words::{Checks, Frame, Variable};
@@ -33,6 +33,8 @@ pub struct System {
     /// The acceleration of free fall in the fields that accelerate all bodies equally, in world
     /// axes.
     pub gravity: Components,
+    /// The same bodies with unknown masses, if a regressor is requested.
+    pub unweighed: Option<Shared>,
     pub cables: Vec<Tie>,
     /// Massless links, which are also written constraints.
     pub links: Vec<Tie>,

@@ -84,6 +84,8 @@ pub enum Meaning {
     Own(usize),
     /// A component, in world axes, of a reaction that is given from outside.
     Reaction(usize, usize),
+    /// A mass, where masses are read as unknown.
+    Mass(usize),
     /// A displacement or a rotated vector, during differentiation.
     Virtual,
 }

@@ -184,7 +184,7 @@ pub trait Inverse: RigidBody {
 /// of motion are linear in mass, first moment and inertia.
 ///
 /// ```text
-/// Y (m, m c, J) = the given loads, except those of uniform fields
+/// Y (m, m c, J) = the given loads, except the weights
 /// ```
 ///
 /// A motion requires these loads on a body, in its axes, about one of its points P,
@@ -210,11 +210,25 @@ pub trait Inverse: RigidBody {
 /// | `rod` | force, moment, world axes | m, m c along the axis, J perpendicular to it |
 /// | systems | for each body: N or N m along each rate, in the order of the acceleration's [`Columns`](crate::columns::Columns) | ten, in the plane four |
 ///
-/// A uniform field at G, such as `mass * world(0, 0, -9.81)`, is part of the rows: free fall needs
-/// no other load. Compare the rows with all other loads: in systems, the sum over all bodies equals
-/// drives and loads along each rate, minus the part of armatures. With closed loops or written
-/// constraints, the constraint loads are among the loads. They do no work, so multiply the rows by
-/// rates that the system can have.
+/// A weight, such as the field `mass * world(0, 0, -9.81[m / s ^ 2])`, is part of the rows: free
+/// fall needs no other load. The rows are compared with all other loads. In systems, the sum over all
+/// bodies equals drives and loads along each rate, minus the part of armatures. With closed loops or
+/// written constraints, the constraint loads are among the loads. They do no work, so multiply the
+/// rows by rates that the system can have.
+///
+/// The mass and inertia of the description may be any numbers: the rows do not depend on them. So a
+/// field is a weight only as far as the compiler proves that its force is proportional to the mass:
+///
+/// - It is among the `fields` of a body or of a system, acts at G, is fixed in world axes, and does
+///   not depend on position, attitude or velocity. It may depend on time, inputs and `states`.
+/// - Its force is `mass * g + r`, where g depends on no mass and no inertia, nor on a parameter that
+///   they are computed from. Then `mass * g` is part of the rows, and r is a load. If the force is
+///   not linear in the mass, all of it is a load.
+/// - `mass` and, in systems, `arm.mass` are the mass. With `mass: m`, so is the parameter `m`. With
+///   `mass: m1 + m2`, `m1 * a + m2 * a` is proportional to it, and `m1 * a` alone is a load.
+/// - A number in place of the word says nothing of the mass: with `mass: 2[kg]`, `2[kg] * world(..)`
+///   and `world(0, -19.62[N])` are loads. So is a force on a charge, `q * world(0, 1)`, and every
+///   field `.on([..])` charges.
 ///
 /// ```
 /// use newton_euler::prelude::*;

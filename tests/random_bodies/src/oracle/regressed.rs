@@ -2,6 +2,7 @@
 //! points: `f = m a + w' x h + w x (w x h)`, `n = h x a + J w' + w x J w`.
 
 use crate::description::body::{Key, Motion, What};
+use crate::description::expression::{Scalar, Vector as Written};
 use crate::output::Output;
 use crate::wide::Wide;
 
@@ -108,7 +109,8 @@ fn unit(axis: usize) -> Vector {
     Vector { value, size: 1.0 }
 }
 
-/// The acceleration of free fall, in the uniform fields at G.
+/// The acceleration of free fall, in the weights at G: no other field is drawn that is proportional
+/// to mass.
 fn fall(scene: &Scene<'_>) -> Vector {
     let constants = scene.constants;
     let loads = constants
@@ -117,11 +119,13 @@ fn fall(scene: &Scene<'_>) -> Vector {
         .iter()
         .filter(|load| load.key == Key::Fields);
     loads.fold(Vector::ZERO, |all, load| match &load.what {
-        What::Force(vector, place) if is_uniform(scene, vector, place) => {
+        What::Force(force @ Written::Scaled(factor, fall), place)
+            if matches!(**factor, Scalar::Mass) && is_uniform(scene, force, place) =>
+        {
             let arm = scene.arm(place);
             let is_at_center = arm.value.iter().all(|part| *part == Wide::ZERO);
             if is_at_center {
-                all + scene.vector(vector).over(constants.mass)
+                all + scene.vector(fall)
             } else {
                 all
             }

@@ -86,7 +86,9 @@ impl Checks<'_> {
                     .sum::<Wide>()
             });
             let found: Vec<Wide> = found.collect();
-            let (expected, size) = self.taken_of(&others, *link, (&motions, gravity));
+            let falls = drawn.falls.iter().filter(|(body, _)| body == link);
+            let fall = falls.fold(gravity, |all, (_, fall)| add(all, *fall));
+            let (expected, size) = self.taken_of(&others, *link, (&motions, fall));
             self.close(&format!("regressor of b{link}"), &found, &expected, size);
         }
     }
@@ -97,13 +99,13 @@ impl Checks<'_> {
         &self,
         parameters: &Parameters,
         link: usize,
-        (motions, gravity): (&[Motion], Vec3),
+        (motions, fall): (&[Motion], Vec3),
     ) -> (Vec<Wide>, f64) {
         let motion = &motions[link];
         let (w, turning) = (motion.angular_velocity, motion.angular_acceleration);
         let arm = self.scene.turned(Some(link), self.drawn.links[link].pin);
         let swept = add(cross(turning, arm), cross(w, cross(w, arm)));
-        let at_pin = subtract(add(motion.acceleration, swept), gravity);
+        let at_pin = subtract(add(motion.acceleration, swept), fall);
         let h = self.scene.turned(Some(link), parameters.moment);
         let attitude = &motion.attitude;
         let tensor = product(

@@ -113,6 +113,7 @@ impl Drawing {
             .push(format!("own = mass * world({word})"));
         let all = self.alike_as(body);
         let bodies = all.clone();
+        self.falls.extend(all.iter().map(|body| (*body, fall)));
         self.acting.push(Box::new(move |scene, loads| {
             for body in &bodies {
                 let weight = scale(fall, scene.links[*body].mass);

@@ -105,6 +105,8 @@ pub struct Drawn {
     /// The acceleration of the field that acts on all mass alike; none if there are fields that
     /// are uniform by chance, where a velocity or a position is prescribed.
     pub gravity: Option<Vec3>,
+    /// Those of the fields of single bodies that are proportional to mass, each with its body.
+    pub falls: Vec<(usize, Vec3)>,
     /// The point of a Jacobian: the body, and where on it.
     pub asked: Option<(usize, Vec3)>,
 }
@@ -143,6 +145,7 @@ pub struct Drawing {
     /// Of each state, as they are written and as they are.
     pub rates: Vec<(String, Size)>,
     pub gravity: Option<Vec3>,
+    pub falls: Vec<(usize, Vec3)>,
     /// How many loads were drawn, and how many of them follow accelerations.
     pub loads: usize,
     pub following: usize,
@@ -247,6 +250,7 @@ impl Drawing {
             open: Vec::new(),
             rates: Vec::new(),
             gravity: Some(ZERO),
+            falls: Vec::new(),
             loads: 0,
             bodies: Vec::new(),
             firsts: Vec::new(),

@@ -73,6 +73,7 @@ impl Drawing {
             rates: self.rates.into_iter().map(|(_, rate)| rate).collect(),
             open: self.open,
             gravity: self.gravity,
+            falls: self.falls,
             asked: Some((body, place)),
         }
     }

@@ -41,11 +41,15 @@ pub struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     /// Begins to read: only names are known so far.
-    pub fn new(system: &'a syntax::System, outline: &mut Outline, errors: &mut Errors) -> Self {
+    pub fn new(
+        system: &'a syntax::System,
+        outline: &mut Outline,
+        mut work: Workspace,
+        errors: &mut Errors,
+    ) -> Self {
         let mut repeated = check_names(&system.top, errors);
         repeated.extend(check_members(system, errors));
         check_driving(system, outline, errors);
-        let mut work = Workspace::new();
         let time = work.symbol(Stage::State, Meaning::Time);
         Self {
             system,

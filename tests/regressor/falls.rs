@@ -5,7 +5,7 @@ use newton_euler::prelude::*;
 
 use super::close;
 
-/// The row of a pendulum about its pin, by hand: m, m c_x, m c_y, J. Only the acceleration of the
+/// The row of a pendulum about its pin, by hand: m, `m c_x`, `m c_y`, J. Only the acceleration of the
 /// pin relative to free fall counts, in body axes.
 fn row(angle: f64, rate: f64, [x, y]: [f64; 2]) -> [f64; 4] {
     let (sine, cosine) = angle.sin_cos();

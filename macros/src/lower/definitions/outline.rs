@@ -20,8 +20,10 @@ const OF_SYSTEMS: [&str; 2] = ["mass_matrix", "jacobian"];
 /// The output that solves for drives. Without it, no drive may be unknown.
 pub const INVERSE: &str = "inverse";
 
-/// The output that needs derivatives of the equations.
+/// The output that needs the description with unknown masses.
 pub const REGRESSOR: &str = "regressor";
+
+/// The outputs that need derivatives of the equations.
 pub const LINEARIZATION: &str = "linearization";
 pub const FLOW: &str = "flow";
 

@@ -145,10 +145,12 @@ pub trait Linearized<const STATES: usize, const INPUTS: usize> {
     /// [`Trimmed::modes`](super::Trimmed::modes). Under constraints they include directions that no
     /// motion takes; those of a trimmed body do not.
     ///
-    /// The eigenvalues come from the Schur form of the balanced A, after removing neutral
-    /// directions. Real parts are zero if a change of the balanced A within rounding makes them so:
-    /// no more than the number of states times ten units of rounding, as a fraction of its norm.
-    /// `None` if A is not finite.
+    /// Parts of A that do not have an effect on each other and back have their own modes. The
+    /// eigenvalues come from the Schur form of each balanced part, after removing neutral
+    /// directions. Real parts are zero if a change of the balanced part within rounding makes them
+    /// so: no more than the number of its states times ten units of rounding, as a fraction of its
+    /// norm. A mode 1e13 times slower than another in its part counts as neutral. `None` if A is not
+    /// finite.
     ///
     /// ```
     /// use newton_euler::prelude::*;

@@ -16,6 +16,7 @@
 
 mod balanced;
 mod coordinated;
+mod coupled;
 mod matrices;
 mod modes;
 mod orthogonal;

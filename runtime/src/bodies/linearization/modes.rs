@@ -4,6 +4,7 @@ use nalgebra::allocator::Allocator;
 use nalgebra::{Complex, Const, DefaultAllocator, DimDiff, DimSub, SMatrix, SVector, Schur, U1};
 
 use super::balanced::Balanced;
+use super::coupled::{coupled, part};
 use super::orthogonal::{Turning, orthogonalize};
 use super::resolvent::distance;
 
@@ -98,18 +99,18 @@ impl<const N: usize> Modes<N> {
     }
 
     /// The modes of the first rows and columns of a matrix, which is known to a fraction of its norm,
-    /// apart from rounding.
+    /// apart from rounding. Parts that do not have an effect on each other and back have their own
+    /// modes, so that the rounding of a fast one does not hide a slow one. `None` if the matrix is not
+    /// finite.
     pub(super) fn of(matrix: &SMatrix<f64, N, N>, size: usize, noise: f64) -> Option<Self>
     where
         Const<N>: DimSub<U1>,
         DefaultAllocator:
             Allocator<Const<N>, DimDiff<Const<N>, U1>> + Allocator<DimDiff<Const<N>, U1>>,
     {
-        let Balanced { matrix, scale, .. } = Balanced::of(matrix)?;
-        let count = f64::from(u32::try_from(size).unwrap_or(u32::MAX));
-        let rounding = (ROUNDING * count + noise) * matrix.norm();
-        let (rest, moving) = without_neutral(matrix, size, NEUTRAL + noise);
-        let values = eigenvalues(rest, moving)?;
+        if !matrix.iter().all(|entry| entry.is_finite()) {
+            return None;
+        }
         let mut modes = Self {
             all: [Mode {
                 eigenvalue: Complex::new(0.0, 0.0),
@@ -117,23 +118,44 @@ impl<const N: usize> Modes<N> {
             }; N],
             count: 0,
         };
-        for value in values.iter().take(moving).filter(|value| value.im >= 0.0) {
-            let mut value = *value;
-            if is_undamped(&rest, moving, value, rounding) {
-                value.re = 0.0;
-            }
-            modes.all[modes.count] = Mode {
-                eigenvalue: value * scale,
-                is_neutral: value.re == 0.0 && value.im == 0.0,
-            };
-            modes.count += 1;
+        let mut neutral = 0;
+        let parts = coupled(matrix, size);
+        for first in (0..size).filter(|number| parts[*number] == *number) {
+            let (matrix, size) = part(matrix, |number| number < size && parts[number] == first);
+            neutral += modes.add_moving(&matrix, size, noise)?;
         }
         modes.all[..modes.count].sort_unstable_by(|a, b| {
             let order = b.natural_frequency().total_cmp(&a.natural_frequency());
             order.then(a.eigenvalue.re.total_cmp(&b.eigenvalue.re))
         });
-        modes.count += size - moving;
+        modes.count += neutral;
         Some(modes)
+    }
+
+    /// Adds the modes of a part, apart from its neutral directions, of which it returns the number.
+    fn add_moving(&mut self, part: &SMatrix<f64, N, N>, size: usize, noise: f64) -> Option<usize>
+    where
+        Const<N>: DimSub<U1>,
+        DefaultAllocator:
+            Allocator<Const<N>, DimDiff<Const<N>, U1>> + Allocator<DimDiff<Const<N>, U1>>,
+    {
+        let Balanced { matrix, scale, .. } = Balanced::of(part)?;
+        let count = f64::from(u32::try_from(size).unwrap_or(u32::MAX));
+        let rounding = (ROUNDING * count + noise) * matrix.norm();
+        let (rest, moving) = without_neutral(matrix, size, NEUTRAL + noise);
+        let values = eigenvalues(rest, moving)?;
+        for value in values.iter().take(moving).filter(|value| value.im >= 0.0) {
+            let mut value = *value;
+            if is_undamped(&rest, moving, value, rounding) {
+                value.re = 0.0;
+            }
+            self.all[self.count] = Mode {
+                eigenvalue: value * scale,
+                is_neutral: value.re == 0.0 && value.im == 0.0,
+            };
+            self.count += 1;
+        }
+        Some(size - moving)
     }
 }
 

@@ -372,3 +372,37 @@ fn states_of_ones_own() {
     assert!((found.torque_rate_by_lag + 2.5 / 0.0064).abs() < 1e-11);
     assert!((found.angular_by_friction + 2.0 / 0.6).abs() < 1e-14);
 }
+
+rigid_body!(Damped {
+    motion: planar_translation,
+    params: [n = 2],
+    mass: 2[kg],
+    forces: [drag = world(-3[N] * (velocity.norm() / 1[m / s]).powf(n), 0)],
+    outputs: [sensitivity, linearization],
+});
+
+#[test]
+fn powers_of_zero() {
+    let rest = PlanarTranslation::default();
+    for n in [0.0, 1.0, 2.0, 2.5] {
+        let body = Damped::new(DampedParams { n }).expect("finite");
+        let slopes = body.linearize(0.0, &rest, &()).a();
+        assert!(slopes.iter().all(|slope| slope.is_finite()), "{n} {slopes}");
+        assert_eq!([slopes[(2, 2)], slopes[(2, 3)]], [0.0, 0.0], "{n}");
+        let by_n = body.sensitivity(0.0, &rest, &()).linear_by_n.x;
+        // 0^n falls from one to zero at n = 0
+        let expected = if n > 0.0 { 0.0 } else { f64::INFINITY };
+        assert_eq!(by_n, expected, "{n}");
+        // where the speed is not zero, by hand
+        let moving = PlanarTranslation {
+            velocity: [0.3, 0.4].into(),
+            ..rest
+        };
+        let by_n = body.sensitivity(0.0, &moving, &()).linear_by_n.x;
+        let expected = -1.5 * 0.5_f64.powf(n) * 0.5_f64.ln();
+        assert!((by_n - expected).abs() < 1e-15, "{n}");
+        let slope = body.linearize(0.0, &moving, &()).a()[(2, 2)];
+        let expected = -1.5 * n * 0.5_f64.powf(n - 1.0) * 0.6;
+        assert!((slope - expected).abs() < 1e-15, "{n}");
+    }
+}

@@ -85,7 +85,9 @@ pub fn slopes<A: Algebra>(
             let less = of.subtract(b, &one);
             let power = of.apply(Function::Powf, &[a.clone(), less]);
             let logarithm = of.apply(Function::Ln, from_ref(a));
-            (of.multiply(b, &power), of.multiply(value, &logarithm))
+            let by_a = of.multiply(b, &power);
+            let by_b = of.multiply(value, &logarithm);
+            (along(of, b, &zero, &by_a), along(of, value, &zero, &by_b))
         }
         // the derivative of a table is a table, too
         Function::Table => {
@@ -101,6 +103,17 @@ pub fn slopes<A: Algebra>(
         }
         _ => (zero.clone(), zero),
     }
+}
+
+/// A product with this factor: zero if the factor is, even where the other is infinite.
+fn along<A: Algebra>(
+    of: &mut A,
+    factor: &A::Value,
+    zero: &A::Value,
+    product: &A::Value,
+) -> A::Value {
+    let is_zero = of.compare(Comparison::Equal, factor, zero);
+    of.select(&is_zero, zero, product)
 }
 
 /// Whether `min` or `max` of `a` and `b` is `a`.

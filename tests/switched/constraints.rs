@@ -124,6 +124,10 @@ orders! {
     tables: if x < 1[m] { 0[m] } else if x < 2[m] { y - height } else if x < 3[m] { 0[m] }
         else if x < 4[m] { y - height } else if x < 5[m] { 0[m] } else if x < 6[m] { y - height }
         else if x < 7[m] { 0[m] } else if x < 8[m] { y - height } else { 0[m] };
+    folded: ((x - 10[m]).abs() + x - 10[m]) / 1[m] * (y - height);
+    signed: (1 + (x - 10[m]).signum()) * (y - height);
+    curved: table(x / 1[m], [8, 9, 10, 11], [0, 0, 1, 1]) * (y - height);
+    counted: (x / 10[m]).floor() * (y - height);
 }
 
 #[test]
@@ -189,6 +193,10 @@ fn a_floor_that_begins_somewhere_holds_from_there() {
         always: [(0.0, true), (20.0, true)];
         clipped: [(0.0, false), (9.0, false), (11.0, true), (1e3, true)];
         tables: [(0.5, false), (1.5, true), (4.5, false), (5.5, true), (7.5, true), (9.0, false)];
+        folded: [(-20.0, false), (9.99, false), (10.01, true), (1e4, true)];
+        signed: [(-20.0, false), (9.99, false), (10.0, true), (1e4, true)];
+        curved: [(-20.0, false), (8.5, false), (9.5, true), (10.5, true), (30.0, true)];
+        counted: [(-0.01, true), (0.0, false), (9.99, false), (10.01, true)];
     }
 }
 

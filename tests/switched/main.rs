@@ -3,3 +3,4 @@
 
 mod constraints;
 mod loads;
+mod systems;

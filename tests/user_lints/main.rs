@@ -162,6 +162,7 @@ pub mod motions {
                 p = body(g, h, k).at((0.1, 0.2, 0.3)),
                 q = c * world(l, 1 / (2 + g * g), m),
                 r = if a < g { body(1, 2, 3) } else { world(0, 0, 1) },
+                range = body(if 1 <= g && g < 2 { g } else { h }, 0, 0),
             ],
             moments: [
                 n = body(e_x, f, -t * d),

@@ -51,8 +51,8 @@ impl Method {
     }
 
     /// The lints that the method allows: its notes are doc comments on statements, which rustc does
-    /// not use; descriptions may compare for equality; and they may contain numbers that have names
-    /// elsewhere.
+    /// not use; descriptions may compare for equality and with both ends of a range; and they may
+    /// contain numbers that have names elsewhere.
     pub fn lints(&self) -> TokenStream {
         let notes = self
             .facts
@@ -62,8 +62,12 @@ impl Method {
             .facts
             .has_equality
             .then(|| quote!(#[allow(clippy::float_cmp)]));
+        let ranges = self
+            .facts
+            .has_combined
+            .then(|| quote!(#[allow(clippy::manual_range_contains)]));
         let constants = allow_constants(&self.body);
-        quote!(#notes #equality #constants)
+        quote!(#notes #equality #ranges #constants)
     }
 
     /// `fn name(&self, arguments) -> result { body }`

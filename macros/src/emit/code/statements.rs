@@ -35,6 +35,8 @@ pub struct Facts {
     pub has_notes: bool,
     /// Whether numbers are compared for equality.
     pub has_equality: bool,
+    /// Whether conditions are combined, perhaps to a range.
+    pub has_combined: bool,
     pub guards: Guards,
     /// The names of the symbols that it reads.
     pub symbols: Vec<(String, Meaning)>,
@@ -128,6 +130,7 @@ impl Writer<'_> {
                     Node::Compare(Comparison::Equal | Comparison::NotEqual, ..)
                 )
             }),
+            has_combined: has(|node| matches!(node, Node::And(..) | Node::Or(..))),
             reads: block.reads,
             text,
         };

@@ -66,6 +66,7 @@ impl Expansion {
 
         let graph = &writer.work.graph;
         let has_equality = |id: &Id| matches!(graph.node(*id), Node::Compare(..));
+        let has_combined = |id: &Id| matches!(graph.node(*id), Node::And(..) | Node::Or(..));
         let roots = graph.reachable(&recurrences.roots(), &|id| !graph.is_early(id));
         block.reads.push(Source::State);
         let method = Method {
@@ -73,6 +74,7 @@ impl Expansion {
             facts: Facts {
                 has_notes: !block.noted.is_empty(),
                 has_equality: roots.iter().any(has_equality),
+                has_combined: roots.iter().any(has_combined),
                 reads: block.reads,
                 ..Facts::default()
             },

@@ -10,7 +10,7 @@ use crate::mechanics::tree::{self, Built, SolvedTree};
 use crate::model::{Own, Property, System, Tie, TreeJoint, Workspace};
 use crate::symbolic::Id;
 
-use super::closed::{Closed, Coordinates, check_closed, check_kept, close};
+use super::closed::{Closed, Coordinates, check_closed, check_kept, check_lost, close};
 use super::constraints::replace;
 use super::independence::check_independence;
 use super::motion::{motion, positions};
@@ -188,6 +188,7 @@ impl SystemEquations {
         let given = loads(system, work).into_iter().flat_map(|(_, parts)| parts);
         let followed = unknowns_in(work, &given.collect::<Vec<Id>>());
         check_closed(system, work, &closed.kept, errors)?;
+        check_lost(system, &closed.kept, errors)?;
         check_kept(system, work, (&closed.undetermined, &followed), errors)?;
         if closed.undetermined.light.is_empty() {
             return Some(());

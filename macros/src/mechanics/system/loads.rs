@@ -76,7 +76,7 @@ fn report_undetermined(names: &[&Ident], unknowns: &[Undetermined], errors: &mut
 /// Reports freedoms whose accelerations no open drive can produce: those whose balances are left
 /// over. Constraints that are trivial on a branch leave such rows, too; then nothing is reported.
 fn report_undriven(system: &System, closed: &Closed, spare: &[(usize, Id)], errors: &mut Errors) {
-    if closed.rows().any(|row| row.active.is_some()) {
+    if closed.rows().any(|row| row.activity.condition.is_some()) {
         return;
     }
     let joints = system.joints.iter().filter(|joint| !joint.is_driven());

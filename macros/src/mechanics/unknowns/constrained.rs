@@ -43,34 +43,72 @@ pub fn differentiate(model: &Model, work: &mut Workspace) -> Vec<Constrained> {
     constraints.collect()
 }
 
-/// The branches on which the gradient of a constraint is not proved to be zero; `None` if these are
-/// all.
-pub fn active(work: &mut Workspace, gradient: &[Id]) -> Option<Id> {
-    work.graph.outermost_condition(gradient)?;
-    let mut left = MOST_CONDITIONS;
-    let idle = idle(work, gradient, &mut left);
-    let graph = &mut work.graph;
-    (idle != graph.truth(false)).then(|| graph.not(idle))
+/// Where a constraint is not trivial.
+#[derive(Default)]
+pub struct Activity {
+    /// The branches on which its gradient is not proved to be zero; `None` if these are all.
+    pub condition: Option<Id>,
+    /// Whether it may change on one of the other branches, where no load can keep it.
+    pub is_lost: bool,
 }
 
-/// Where a gradient is proved to be zero; `left` is how many conditions may still be decided.
-fn idle(work: &mut Workspace, gradient: &[Id], left: &mut usize) -> Id {
-    let condition = work.graph.outermost_condition(gradient);
-    let Some(condition) = condition.filter(|_| *left > 0) else {
-        let is_idle = all_vanish(work, gradient);
-        return work.graph.truth(is_idle);
-    };
-    *left -= 1;
-    let [there, elsewhere] = [true, false].map(|holds| {
-        let side = work.graph.on_side(gradient, condition, holds);
-        idle(work, &side, left)
-    });
-    if there == elsewhere {
-        return there;
+/// Where a constraint with this gradient is not trivial; `changes` are its changes without
+/// accelerations.
+pub fn activity(work: &mut Workspace, gradient: &[Id], changes: &[Id]) -> Activity {
+    let roots = [gradient, changes].concat();
+    let roots = work.graph.in_pieces(&roots);
+    if work
+        .graph
+        .outermost_condition(&roots[..gradient.len()])
+        .is_none()
+    {
+        return Activity::default();
     }
+    let mut search = Search {
+        work,
+        length: gradient.len(),
+        left: MOST_CONDITIONS,
+        is_lost: false,
+    };
+    let idle = search.idle(&roots);
+    let is_lost = search.is_lost;
     let graph = &mut work.graph;
-    let opposite = graph.not(condition);
-    let there = graph.and(condition, there);
-    let elsewhere = graph.and(opposite, elsewhere);
-    graph.or(there, elsewhere)
+    let condition = (idle != graph.truth(false)).then(|| graph.not(idle));
+    Activity { condition, is_lost }
+}
+
+/// The search for branches on which a gradient is zero.
+struct Search<'w> {
+    work: &'w mut Workspace,
+    /// The number of roots that are the gradient; the others are changes without accelerations.
+    length: usize,
+    /// How many conditions may still be decided.
+    left: usize,
+    is_lost: bool,
+}
+
+impl Search<'_> {
+    /// Where a gradient is proved to be zero.
+    fn idle(&mut self, roots: &[Id]) -> Id {
+        let (gradient, changes) = roots.split_at(self.length);
+        let condition = self.work.graph.outermost_condition(gradient);
+        let Some(condition) = condition.filter(|_| self.left > 0) else {
+            let is_idle = all_vanish(self.work, gradient);
+            self.is_lost |= is_idle && !all_vanish(self.work, changes);
+            return self.work.graph.truth(is_idle);
+        };
+        self.left -= 1;
+        let [there, elsewhere] = [true, false].map(|holds| {
+            let side = self.work.graph.on_side(roots, condition, holds);
+            self.idle(&side)
+        });
+        if there == elsewhere {
+            return there;
+        }
+        let graph = &mut self.work.graph;
+        let opposite = graph.not(condition);
+        let there = graph.and(condition, there);
+        let elsewhere = graph.and(opposite, elsewhere);
+        graph.or(there, elsewhere)
+    }
 }

@@ -63,6 +63,16 @@ pub fn dependent(name: impl Display, others: impl IntoIterator<Item = impl Displ
     format!("`{name}` is kept already by {others}: leave one of them out")
 }
 
+/// The error for a constraint that may change where no acceleration changes it.
+pub fn lost(name: impl Display, is_of_velocities: bool) -> String {
+    if is_of_velocities {
+        return format!(
+            "`{name}` has velocities on some branches only: no load can keep it at zero on the others"
+        );
+    }
+    format!("on some branches `{name}` changes by itself: no load can keep it at zero there")
+}
+
 /// For each gradient on one branch, the others that it follows from. `None` if it is independent or
 /// has no value.
 fn redundant(gradients: &[Option<Vec<Residue>>]) -> Vec<Option<Vec<usize>>> {

@@ -16,9 +16,9 @@ use crate::mechanics::proofs::samples;
 use crate::model::{Frame, Load, Model, Pair, Vector, Workspace};
 use crate::symbolic::{Components, Function, Id, Residue, Sample, Size};
 
-use super::constrained::{Constrained, active, differentiate};
+use super::constrained::{Constrained, activity, differentiate};
 use super::constraint_checks::{
-    check_independent, check_kept, check_misplaced, check_smooth, smooth_support, turned,
+    check_independent, check_kept, check_misplaced, check_smooth, lost, smooth_support, turned,
 };
 use super::inertial::{balances_of, inertial_change};
 use super::left_over::balances_left;
@@ -66,7 +66,15 @@ pub fn derive_constrained(
     rows.extend(left.iter().map(|(_, row)| row.clone()));
     let mut system = equations(work, rows);
     for (equation, constraint) in system.iter_mut().zip(&constraints) {
-        equation.active = active(work, &constraint.rates.factors.entries());
+        let changes = [constraint.velocity, constraint.rates.rate];
+        let first = usize::from(constraint.position.is_none());
+        let gradient = constraint.rates.factors.entries();
+        let activity = activity(work, &gradient, &changes[first..]);
+        if activity.is_lost {
+            let message = lost(&constraint.name, constraint.position.is_none());
+            errors.push(constraint.place.span(), message);
+        }
+        equation.active = activity.condition;
         equation.sizes = sizes(model, work, constraint, &pushes);
     }
     let mut elimination = work.graph.solve(system, pushes.len());

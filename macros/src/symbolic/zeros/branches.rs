@@ -4,8 +4,9 @@ use std::collections::HashMap;
 use std::ops::ControlFlow;
 
 use crate::symbolic::algebra::takes_first;
+use crate::symbolic::graph::Comparison::{Equal, Less, LessOrEqual};
 use crate::symbolic::graph::{Graph, Id, Node};
-use crate::symbolic::number::Function;
+use crate::symbolic::number::{Function, Number};
 
 use super::identity::{Residues, Side};
 
@@ -91,6 +92,59 @@ impl Graph {
             }
             _ => graph.remake(id, image),
         })
+    }
+
+    /// Expressions with the pieces of their functions as sides of conditions, where a piece is
+    /// simpler than the function: of `abs`, `signum` and tables; `floor` and `ceil` where they are zero.
+    pub fn in_pieces(&mut self, roots: &[Id]) -> Vec<Id> {
+        self.rebuild(roots, |graph, id, image| {
+            let whole = graph.remake(id, image);
+            let zero = graph.zero();
+            match *graph.node(whole) {
+                Node::Unary(Function::Abs, a) => {
+                    let (is_negative, opposite) = (graph.compare(Less, a, zero), graph.negate(a));
+                    graph.select(is_negative, opposite, a)
+                }
+                // zero has the sign of its bit
+                Node::Unary(Function::Signum, _) => {
+                    let is_negative = graph.compare(Less, whole, zero);
+                    let [one, other] = [1, -1].map(|sign| graph.integer(sign));
+                    graph.select(is_negative, other, one)
+                }
+                Node::Unary(Function::Floor | Function::Ceil, _) => {
+                    let is_zero = graph.compare(Equal, whole, zero);
+                    graph.select(is_zero, zero, whole)
+                }
+                Node::Binary(Function::Table, x, table) => graph.with_flat_pieces(whole, x, table),
+                _ => whole,
+            }
+        })
+    }
+
+    /// The value of a table at `x`, with its constant pieces as sides.
+    fn with_flat_pieces(&mut self, whole: Id, x: Id, table: Id) -> Id {
+        let pieces = self.table(table).map_or(Vec::new(), |table| table.pieces);
+        let mut value = whole;
+        for (place, piece) in pieces.iter().enumerate() {
+            let mut slopes = piece.coefficients.iter().skip(1);
+            if !slopes.all(Number::is_zero) {
+                continue;
+            }
+            let mut is_there = self.truth(true);
+            if place > 0 {
+                let start = self.number(piece.start.clone());
+                is_there = self.compare(LessOrEqual, start, x);
+            }
+            if let Some(next) = pieces.get(place + 1) {
+                let end = self.number(next.start.clone());
+                let is_below = self.compare(Less, x, end);
+                is_there = self.and(is_there, is_below);
+            }
+            let constant = piece.coefficients.first().cloned();
+            let constant = self.number(constant.unwrap_or_else(Number::zero));
+            value = self.select(is_there, constant, value);
+        }
+        value
     }
 
     /// A condition, the expression where it holds, and the expression where it does not.

@@ -119,7 +119,8 @@ pub fn equations(
             right: work.graph.negate(row.bias),
             // where the constraint is trivial, its load is zero
             own: row
-                .active
+                .activity
+                .condition
                 .map_or(zero, |active| work.graph.select(active, zero, one)),
         }
     });

@@ -39,7 +39,7 @@ pub fn solve_drives(
     }
     // where a constraint is trivial, its load is zero
     for (number, row) in closed.rows().enumerate() {
-        if let Some(active) = row.active {
+        if let Some(active) = row.activity.condition {
             let mut coefficients = vec![zero; open.len() + closed.kept.len()];
             coefficients[open.len() + number] = work.graph.select(active, zero, one);
             sides.push((coefficients, zero));

@@ -29,4 +29,4 @@ pub use inverse::solve_drives;
 pub use release::{component, release};
 pub use rows::moved_in_world;
 pub use solve::{Closed, close};
-pub use undetermined::{Spare, check_closed, check_kept};
+pub use undetermined::{Spare, check_closed, check_kept, check_lost};

@@ -112,7 +112,10 @@ impl<'a> Known<'a> {
             drives.chain(link.force).chain(link.moment)
         });
         let given: Vec<Id> = given.collect();
-        let is_partial = self.kept.iter().any(|(_, row)| row.active.is_some());
+        let is_partial = self
+            .kept
+            .iter()
+            .any(|(_, row)| row.activity.condition.is_some());
         is_partial || !unknowns_in(work, &given).is_empty()
     }
 }

@@ -6,8 +6,8 @@ use crate::errors::Errors;
 use crate::mechanics::proofs::samples;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{Built, Properties};
-use crate::mechanics::unknowns::dependent;
-use crate::model::{System, Workspace};
+use crate::mechanics::unknowns::{dependent, lost};
+use crate::model::{Level, System, Workspace};
 use crate::symbolic::{Components, Elimination, Equation, Graph, Id, Node};
 
 use super::super::constraints::ConstraintRow;
@@ -212,6 +212,23 @@ pub fn check_closed(
         errors.push(joint.written, message);
     }
     apart.is_empty().then_some(())
+}
+
+/// Reports written constraints that may change where no acceleration changes them.
+pub fn check_lost(
+    system: &System,
+    rows: &[(Owner, ConstraintRow)],
+    errors: &mut Errors,
+) -> Option<()> {
+    let before = errors.count();
+    for (owner, row) in rows.iter().filter(|(_, row)| row.activity.is_lost) {
+        if let Some(number) = owner.number() {
+            let constraint = &system.constraints.list[number];
+            let message = lost(&row.name, constraint.level == Level::Velocity);
+            errors.push(constraint.extent, message);
+        }
+    }
+    (errors.count() == before).then_some(())
 }
 
 /// Reports written constraints that are trivial or redundant; `followed` are the symbols of loads

@@ -3,6 +3,7 @@
 //! the rates of the joints.
 
 use crate::mechanics::tree::link::Tree;
+use crate::mechanics::unknowns::Activity;
 use crate::model::Connection;
 use crate::symbolic::{Comparison, Components, Function, Graph, Id};
 
@@ -64,7 +65,7 @@ fn row(
             rate,
             bias,
             slopes,
-            active: None,
+            activity: Activity::default(),
         },
         force,
         moment,

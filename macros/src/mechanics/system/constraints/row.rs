@@ -1,5 +1,6 @@
 //! One scalar constraint.
 
+use crate::mechanics::unknowns::Activity;
 use crate::model::Labels;
 use crate::symbolic::Id;
 
@@ -16,8 +17,8 @@ pub struct ConstraintRow {
     pub bias: Id,
     /// The slopes along the rates of the open coordinates, in the order of the links.
     pub slopes: Vec<Id>,
-    /// The condition under which it is not trivial, if there are branches where it is.
-    pub active: Option<Id>,
+    /// Where it is not trivial.
+    pub activity: Activity,
 }
 
 impl ConstraintRow {

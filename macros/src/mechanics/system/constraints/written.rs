@@ -3,7 +3,7 @@
 
 use crate::mechanics::tree::Built;
 use crate::mechanics::tree::link::{Link, Tree};
-use crate::mechanics::unknowns::active;
+use crate::mechanics::unknowns::activity;
 use crate::mechanics::variation::{Derived, Direction, Slopes, derive_unit_loads};
 use crate::model::{Constraint, Level, System, Workspace};
 use crate::symbolic::{Graph, Id};
@@ -46,13 +46,18 @@ fn row(
             work.graph.quantity(slope)
         })
         .collect();
+    let changes = [rate, bias];
+    let changes = match constraint.level {
+        Level::Position => &changes[..],
+        Level::Velocity => &changes[1..],
+    };
     ConstraintRow {
         name: constraint.name.clone(),
         value,
         facing: None,
         rate: work.graph.quantity(rate),
         bias: work.graph.quantity(bias),
-        active: active(work, &slopes),
+        activity: activity(work, &slopes, changes),
         slopes,
     }
 }

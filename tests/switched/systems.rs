@@ -1,0 +1,58 @@
+//! Constraints of systems that differ from branch to branch.
+
+use newton_euler::prelude::*;
+
+/// A block of 2 kg under a weight, and a floor that the word in front gives.
+macro_rules! blocks {
+    ($($name:ident: $floor:expr;)*) => {$(
+        mod $name {
+            newton_euler::rigid_system!(Held {
+                motion: planar,
+                bodies: [block { mass: 2[kg], inertia: 1[kg * m ^ 2] }],
+                joints: [base = translation(block)],
+                locals: [y = block.position.in_world().y],
+                fields: [weight = mass * world(0.5[m / s ^ 2], -9.80665[m / s ^ 2])],
+                constraints: [floor = $floor],
+                outputs: [reactions],
+            });
+        }
+    )*};
+}
+
+blocks! {
+    clipped: y.max(0[m]);
+    folded: y.abs() + y;
+    signed: y * (1 + y.signum());
+    lines: table(y, [0, 1, 2][m], [0, 1, 1][m]);
+    curves: table(y, [-1, 0, 1, 2][m], [0, 0, 2, 2][m], cubic);
+    ledge: if block.position.in_world().x > 1[m] { y } else { 7[m] };
+}
+
+#[test]
+fn a_floor_holds_where_it_is() {
+    macro_rules! check {
+        ($($name:ident: [$(($x:expr, $y:expr, $holds:expr)),*];)*) => {$(
+            for (x, y, holds) in [$(($x, $y, $holds)),*] {
+                let base = PlanarTranslation { position: [x, y].into(), ..Default::default() };
+                let (system, state) = ($name::Held::default(), $name::HeldState { base });
+                let motion = system.acceleration(0.0, &state, &()).base;
+                let load = system.reactions(0.0, &state, &()).floor;
+                let place = concat!(stringify!($name));
+                assert!((motion.x - 0.5).abs() < 1e-14, "{place} {y}: {motion}");
+                if holds {
+                    assert!(motion.y.abs() < 1e-14 && load != 0.0, "{place} {y}: {motion}");
+                } else {
+                    assert_eq!((motion.y, load), (-9.80665, 0.0), "{place} {y}");
+                }
+            }
+        )*};
+    }
+    check! {
+        clipped: [(0.0, -0.5, false), (0.0, 0.5, true)];
+        folded: [(0.0, -0.5, false), (0.0, 0.5, true)];
+        signed: [(0.0, -0.5, false), (0.0, 0.5, true)];
+        lines: [(0.0, -0.5, false), (0.0, 0.5, true), (0.0, 1.5, false), (0.0, 9.0, false)];
+        curves: [(0.0, -2.0, false), (0.0, -0.5, false), (0.0, 0.5, true), (0.0, 1.5, false), (0.0, 3.0, false)];
+        ledge: [(0.0, 0.0, false), (2.0, 0.0, true)];
+    }
+}

@@ -130,3 +130,49 @@ proptest! {
         prop_assert!(about_center.moment(&g).amax() < 1e-7);
     }
 }
+
+rigid_body!(Sled {
+    motion: planar_translation,
+    mass: 2[kg],
+    fields: [weight = mass * body(0, -9.81[m / s ^ 2])],
+    outputs: [energy],
+});
+
+rigid_system!(Sleds {
+    motion: planar,
+    bodies: [
+        sled {
+            mass: 2[kg],
+            inertia: 1[kg * m ^ 2],
+            fields: [weight = mass * body(0, -9.81[m / s ^ 2])],
+        },
+        top {
+            mass: 2[kg],
+            inertia: 1[kg * m ^ 2],
+            points: [pin = (0, 0)],
+            fields: [thrust = mass * body(0, -9.81[m / s ^ 2])],
+        },
+    ],
+    joints: [
+        base = translation(sled),
+        turn = revolute(world(0, 0), top.pin)
+    ],
+    outputs: [energy],
+});
+
+/// The axes of a body that cannot rotate are those of the world.
+#[test]
+fn fields_in_axes_that_do_not_rotate_have_a_potential() {
+    let base = PlanarTranslation {
+        position: [1.0, 2.0].into(),
+        ..PlanarTranslation::default()
+    };
+    let alone = Sled::default().potential_energy(0.0, &base, &());
+    assert_eq!(alone, 2.0 * 9.81 * 2.0);
+    let turn = Hinge {
+        angle: 0.3,
+        angular_velocity: 0.0,
+    };
+    let together = Sleds::default().potential_energy(0.0, &SledsState { base, turn }, &());
+    assert_eq!(together, 2.0 * 9.81 * 2.0);
+}

@@ -115,6 +115,16 @@ pendulums! {
     a_ratio_to_mass_in_a_local []
         { mass: 2[kg], inertia: 0.1[kg * m ^ 2], locals: [ratio = mass / 4[kg]], }
         [pull = mass * world(0, -9.81[m / s ^ 2] * ratio)] => [0.0, 0.0];
+    a_sum_and_a_force [params: [m = 2[kg], load = 1[kg]],]
+        { mass: m + load, inertia: 0.1[kg * m ^ 2], }
+        [both = (m + load) * world(0, -9.81[m / s ^ 2]) + world(0, 3[N])] => [0.0, -9.81];
+    half_of_a_mass_and_a_force [params: [m = 2[kg]],]
+        { mass: 2 * m, inertia: 0.1[kg * m ^ 2], }
+        [both = m * world(0, -9.81[m / s ^ 2]) + world(0, 3[N])] => [0.0, -4.905];
+    a_sum_and_a_square [params: [m = 2[kg], load = 1[kg]],]
+        { mass: m + load, inertia: 0.1[kg * m ^ 2], }
+        [both = (m + load) * world(0, -9.81[m / s ^ 2]) + load * (load / 1[kg]) * world(0, 1[m / s ^ 2])]
+            => [0.0, 0.0];
     weight_of_a_parameter [params: [m = 2[kg], g = 9.81[m / s ^ 2]],]
         { mass: m, inertia: 0.1[kg * m ^ 2], }
         [weight = mass * world(0, -g)] => [0.0, -9.81];
@@ -133,7 +143,8 @@ pendulums! {
         [weight = m * world(0, -9.81[m / s ^ 2])] => [0.0, 0.0];
     weight_of_the_rest_of_a_sum [params: [m = 2[kg]],]
         { mass: m + 1[kg], inertia: 0.1[kg * m ^ 2], }
-        [weight = m * world(0, -9.81[m / s ^ 2])] => [0.0, 0.0];
+        // that of all, and a force of -1 kg g
+        [weight = m * world(0, -9.81[m / s ^ 2])] => [0.0, -9.81];
     a_share_that_follows_the_sum [params: [m = 2[kg], load = 1[kg]],]
         { mass: m + load, inertia: 0.1[kg * m ^ 2], }
         [weight = mass * world(0, -9.81[m / s ^ 2] * m / load)] => [0.0, 0.0];

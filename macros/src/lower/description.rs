@@ -35,8 +35,7 @@ pub fn read_body(
             let mut outline = outline_under(outline.motion, description, offers, errors);
             let work = Workspace::with_unknown_masses();
             let (model, work) = lower_description(description, &mut outline, work, errors)?;
-            let turns = model.motion.has_attitude();
-            let body = (&model.substance(), model.state.body, turns);
+            let body = (&model.substance(), model.state.body);
             let body = UnweighedBody::new(body, model.loads.iter());
             Some(Unweighed::shared(work, vec![body]))
         });

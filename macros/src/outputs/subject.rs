@@ -171,8 +171,7 @@ impl Subject for Model {
     }
 
     fn fields_without_potential(&self, work: &Workspace) -> Vec<&Load> {
-        let turns = self.motion.has_attitude();
-        without_potential(work, self.state.body, turns, &self.loads).collect()
+        without_potential(work, self.state.body, &self.loads).collect()
     }
 
     fn momentum(&self, work: &mut Workspace) -> Momentum {
@@ -288,7 +287,7 @@ impl Subject for System {
     fn fields_without_potential(&self, work: &Workspace) -> Vec<&Load> {
         let bodies = self.bodies.iter();
         bodies
-            .flat_map(|body| without_potential(work, body.state.body, true, &body.loads))
+            .flat_map(|body| without_potential(work, body.state.body, &body.loads))
             .collect()
     }
 
@@ -360,11 +359,8 @@ fn rates(states: &[Own]) -> Vec<Id> {
 fn without_potential<'l>(
     work: &Workspace,
     body: Frame,
-    turns: bool,
     loads: &'l [Load],
 ) -> impl Iterator<Item = &'l Load> {
     let fields = loads.iter().filter(|load| load.family == Family::Field);
-    fields.filter(move |load| {
-        load.potential.is_none() && uniform_field(work, body, turns, load).is_none()
-    })
+    fields.filter(move |load| load.potential.is_none() && uniform_field(work, body, load).is_none())
 }

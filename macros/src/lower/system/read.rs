@@ -58,7 +58,7 @@ fn read(system: &syntax::System, offers: &[&'static Offer], errors: &mut Errors)
             let (system, work) = read(Workspace::with_unknown_masses(), errors).1?;
             let bodies = system.bodies.iter().map(|body| {
                 let loads = body.weights.iter().chain(&body.loads);
-                UnweighedBody::new((&body.substance(), body.state.body, true), loads)
+                UnweighedBody::new((&body.substance(), body.state.body), loads)
             });
             let bodies = bodies.collect();
             Some(Unweighed::shared(work, bodies))

@@ -35,9 +35,8 @@ pub fn potential(model: &Model, work: &mut Workspace) -> Id {
         .filter_map(|load| load.potential)
         .collect();
     let mut potential = graph.sum(&potentials);
-    let (state, turns) = (&model.state, model.motion.has_attitude());
     for load in &model.loads {
-        if let Some(done) = done_by_field(work, state, turns, load) {
+        if let Some(done) = done_by_field(work, &model.state, load) {
             potential = work.graph.subtract(potential, done);
         }
     }
@@ -46,13 +45,8 @@ pub fn potential(model: &Model, work: &mut Workspace) -> Id {
 
 /// `F . x` for a uniform field, where `x` is its point of action. If the motion of G is not
 /// modeled, positions are relative to G.
-pub fn done_by_field(
-    work: &mut Workspace,
-    state: &State,
-    has_attitude: bool,
-    load: &Load,
-) -> Option<Id> {
-    let offset = uniform_field(work, state.body, has_attitude, load)?;
+pub fn done_by_field(work: &mut Workspace, state: &State, load: &Load) -> Option<Id> {
+    let offset = uniform_field(work, state.body, load)?;
     let position = state.place(work, Point::Fixed(state.body, offset));
     Some(work.dot(load.force, position))
 }

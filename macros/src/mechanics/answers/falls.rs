@@ -4,7 +4,8 @@
 //! The proof needs the description read with unknown masses. A force `F = m g + r` has such a part
 //! if `g = dF/dm` depends on no mass and no moment of inertia, nor on anything that they are
 //! computed from. If a mass is computed from parameters, a force written with them is proportional
-//! to mass if its ratio to the mass depends on none of them.
+//! to mass if its ratio to the mass depends on none of them, and so is the part of it that leaves a
+//! force without them.
 
 use std::collections::HashSet;
 
@@ -45,7 +46,7 @@ fn fall(
 ) -> Components {
     let mut sum = work.graph.zeros();
     for field in &body.fields {
-        let offset = uniform_field(work, body.frame, body.turns, field);
+        let offset = uniform_field(work, body.frame, field);
         if offset.is_none_or(|offset| !work.graph.is_zero_vector(&offset)) {
             continue;
         }
@@ -83,7 +84,8 @@ fn per_mass(
     Some(work.graph.add_vectors(slope, further))
 }
 
-/// The ratio of a force to a mass that is computed from parameters, if it depends on none of them.
+/// The ratio of a force to a mass that is computed from parameters, apart from a force that does not
+/// depend on them, if it depends on none of them.
 fn ratio(
     work: &mut Workspace,
     force: Components,
@@ -105,8 +107,17 @@ fn ratio(
         let ratio = slope.map(|slope| graph.divide(slope, by_mass));
         let made = graph.scale_vector(mass, ratio);
         let rest = graph.subtract_vectors(force, made);
-        (is_free(work, &ratio, given) && all_vanish(work, &rest)).then_some(ratio)
+        (is_free(work, &ratio, given) && is_independent(work, rest, given)).then_some(ratio)
     })
+}
+
+/// Whether a vector is proved to be the same for all values of these symbols.
+fn is_independent(work: &mut Workspace, vector: Components, given: &HashSet<Id>) -> bool {
+    let one = work.graph.one();
+    let ones: Vec<(Id, Id)> = given.iter().map(|symbol| (*symbol, one)).collect();
+    let there = work.graph.replaced(vector, &ones);
+    let differences = work.graph.subtract_vectors(vector, there);
+    all_vanish(work, &differences)
 }
 
 fn derivative(work: &mut Workspace, vector: Components, by: Id) -> Option<Components> {

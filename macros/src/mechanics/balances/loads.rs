@@ -99,13 +99,8 @@ pub fn known_parts(model: &Model, work: &mut Workspace, pole: Point) -> Vec<(Vec
 }
 
 /// The point of the body at which a uniform field acts, if the load is one: a field force that is
-/// fixed in world axes and does not depend on position, attitude or velocity.
-pub fn uniform_field(
-    work: &Workspace,
-    body: Frame,
-    has_attitude: bool,
-    load: &Load,
-) -> Option<Components> {
+/// fixed in axes that do not rotate, and does not depend on position, attitude or velocity.
+pub fn uniform_field(work: &Workspace, body: Frame, load: &Load) -> Option<Components> {
     let graph: &Graph = &work.graph;
     let of_state = |id: Id| match work.meaning(id) {
         Some(
@@ -124,7 +119,7 @@ pub fn uniform_field(
     let is_uniform = load.family == Family::Field
         && load.potential.is_none()
         && load.moment.is_zero()
-        && (work.is_in(force, Frame::WORLD) || !has_attitude)
-        && !graph.depends_on(&work.entries(&[force]), of_state);
+        && !graph.depends_on(&work.entries(&[force]), of_state)
+        && !graph.depends_on(&work.turning(force), of_state);
     is_uniform.then_some(offset)
 }

@@ -29,7 +29,7 @@ pub fn derive_system_energy(system: &System, work: &mut Workspace) -> Energy {
         let done = work.dot(weight, body.state.position);
         potential = work.graph.subtract(potential, done);
         for load in &body.loads {
-            if let Some(done) = done_by_field(work, &body.state, true, load) {
+            if let Some(done) = done_by_field(work, &body.state, load) {
                 potential = work.graph.subtract(potential, done);
             }
         }

@@ -23,8 +23,6 @@ pub type Shared = Rc<RefCell<Unweighed>>;
 /// A body with a symbol for its mass.
 pub struct UnweighedBody {
     pub frame: Frame,
-    /// Whether its axes may rotate.
-    pub turns: bool,
     pub mass: Option<Id>,
     /// The distinct entries of its inertia.
     pub inertia: Vec<Id>,
@@ -39,13 +37,12 @@ impl Unweighed {
 
 impl UnweighedBody {
     pub fn new<'l>(
-        (substance, frame, turns): (&Substance, Frame, bool),
+        (substance, frame): (&Substance, Frame),
         loads: impl Iterator<Item = &'l Load>,
     ) -> Self {
         let fields = loads.filter(|load| load.family == Family::Field);
         Self {
             frame,
-            turns,
             mass: substance.mass,
             inertia: substance.inertia_entries(),
             fields: fields.cloned().collect(),

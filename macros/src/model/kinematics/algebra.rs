@@ -54,6 +54,18 @@ impl Workspace {
         parts.flat_map(|(_, part)| *part).collect()
     }
 
+    /// The coordinates of the attitudes that rotate its parts in the world.
+    pub fn turning(&self, a: Vector) -> Vec<Id> {
+        let mut coordinates = Vec::new();
+        for mut frame in self.frames(&[a]) {
+            while frame != Frame::WORLD {
+                coordinates.extend(self.attitude(frame).coordinates());
+                frame = self.carrier(frame);
+            }
+        }
+        coordinates
+    }
+
     /// The vector with each part changed in its own axes.
     pub fn map(
         &mut self,

@@ -225,7 +225,8 @@ pub trait Inverse: RigidBody {
 ///   they are computed from. Then `mass * g` is part of the rows, and r is a load. If the force is
 ///   not linear in the mass, all of it is a load.
 /// - `mass` and, in systems, `arm.mass` are the mass. With `mass: m`, so is the parameter `m`. With
-///   `mass: m1 + m2`, `m1 * a + m2 * a` is proportional to it, and `m1 * a` alone is a load.
+///   `mass: m1 + m2`, `m1 * a + m2 * a` is proportional to it, and `m1 * a` alone is a load. With
+///   `mass: m1 + 1[kg]`, `m1 * a` is `mass * a + r`, where r is the force `-1[kg] * a`.
 /// - A number in place of the word says nothing of the mass: with `mass: 2[kg]`, `2[kg] * world(..)`
 ///   and `world(0, -19.62[N])` are loads. So is a force on a charge, `q * world(0, 1)`, and every
 ///   field `.on([..])` charges.

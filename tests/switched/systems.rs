@@ -56,3 +56,58 @@ fn a_floor_holds_where_it_is() {
         ledge: [(0.0, 0.0, false), (2.0, 0.0, true)];
     }
 }
+
+/// Two bodies; beyond a place, one constraint follows from the other.
+macro_rules! pairs {
+    ($($name:ident: [$($constraint:tt)*];)*) => {$(
+        mod $name {
+            newton_euler::rigid_system!(Pair {
+                motion: planar,
+                bodies: [
+                    a { mass: 1[kg], inertia: 0.1[kg * m ^ 2], forces: [pull = world(0.7, -1.3)[N]] },
+                    b { mass: 2[kg], inertia: 0.1[kg * m ^ 2], forces: [pull = world(-1.1, 0.4)[N]] },
+                ],
+                joints: [j = translation(a), i = translation(b)],
+                locals: [
+                    x = a.position.in_world().x / 1[m],
+                    y = a.position.in_world().y / 1[m],
+                    place = b.position.in_world().x / 1[m],
+                    height = b.position.in_world().y / 1[m],
+                ],
+                constraints: [$($constraint)*],
+            });
+        }
+    )*};
+}
+
+pairs! {
+    plain: [k = y, h = if x * place > 0 { height } else { y }];
+    scaled: [k = y * (1 + x * x), h = if place > 0 { height } else { 2 * y }];
+    turned: [k = y * (1 + x * x), h = if place < 0 { y } else { height }];
+    before: [h = if place + x > x { height } else { y + y * x }, k = y];
+}
+
+#[test]
+fn what_follows_on_one_branch_is_kept_on_the_other() {
+    macro_rules! check {
+        ($($name:ident)*) => {$(
+            let state = |place: f64| $name::PairState {
+                j: PlanarTranslation {
+                    position: [1.0, 0.0].into(),
+                    velocity: [0.1, 0.0].into(),
+                },
+                i: PlanarTranslation { position: [place, 0.0].into(), ..Default::default() },
+            };
+            let pair = $name::Pair::default();
+            let motion = pair.acceleration(0.0, &state(0.5), &());
+            let found = [motion.j.x, motion.j.y, motion.i.x, motion.i.y];
+            for (found, expected) in found.into_iter().zip([0.7, 0.0, -0.55, 0.0]) {
+                assert!((found - expected).abs() < 1e-14, "{}: {motion:?}", stringify!($name));
+            }
+            let refused = pair.integrate(&state(-0.5)).to(0.1).expect_err("nothing tells the loads");
+            let message = refused.to_string();
+            assert!(message.contains("follows from the other constraints there"), "{message}");
+        )*};
+    }
+    check!(plain scaled turned before);
+}

@@ -44,7 +44,7 @@ pub fn differentiate(model: &Model, work: &mut Workspace) -> Vec<Constrained> {
 }
 
 /// Where a constraint is not trivial.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Activity {
     /// The branches on which its gradient is not proved to be zero; `None` if these are all.
     pub condition: Option<Id>,

@@ -9,23 +9,22 @@
 //! split into such blocks, and systems in space, are eliminated as a whole, masses first. Both ways
 //! are correct in all states in which the rows of A are independent.
 
-mod assembly;
 mod dependent;
 mod eliminated;
 mod groups;
 mod guard;
 mod in_plane;
 mod inverse;
-mod numbers;
+mod rank;
 mod release;
 mod rows;
 mod semidefinite;
 mod solve;
 mod undetermined;
 
-pub use assembly::Coordinates;
 pub use eliminated::{Following, equations};
 pub use inverse::solve_drives;
+pub use rank::Coordinates;
 pub use release::{component, release};
 pub use rows::moved_in_world;
 pub use solve::{Closed, close};

@@ -10,11 +10,11 @@ use crate::model::{System, TreeJoint, Workspace};
 use crate::symbolic::{Components, Graph, Id};
 
 use super::super::constraints::{ConstraintRow, Ends, Loop, push_written};
-use super::assembly::{Assembly, Coordinates, Rank};
 use super::dependent::dependent;
 use super::eliminated::{Following, Found, eliminated};
 use super::groups::{full, groups};
 use super::in_plane::in_plane;
+use super::rank::{Coordinates, Rank, rank};
 use super::rows::{Known, Owner};
 use super::undetermined::{Spare, Undetermined, bare};
 
@@ -118,7 +118,16 @@ fn found(
     (known, coordinates): (&Known<'_>, &Coordinates),
     (matrix, accelerations): (&MassMatrix, &[Id]),
 ) -> Found {
-    let rank = rank(system, work, (known, coordinates), matrix);
+    let rank = if known.is_followed(work, &known.in_world) {
+        Rank::default()
+    } else {
+        let rows = known.kept.iter().map(|(_, row)| row.clone());
+        let rows: Vec<ConstraintRow> = rows.collect();
+        let written = known.kept.iter().filter_map(|(owner, _)| owner.number());
+        let written = written.count();
+        let some = |graph: &Graph, closed: &[bool]| full(&groups(graph, &known.kept, closed));
+        rank(system, work, (&rows, written, coordinates), matrix, &some)
+    };
     if let Some(found) = where_closed(work, (known, coordinates), matrix, &rank) {
         return found;
     }
@@ -145,27 +154,6 @@ fn found(
             by_blocks.unwrap_or(eliminated)
         }
     }
-}
-
-/// Which rows depend on others. Nothing is known if loads depend on those of constraints.
-fn rank(
-    system: &System,
-    work: &mut Workspace,
-    (known, coordinates): (&Known<'_>, &Coordinates),
-    matrix: &MassMatrix,
-) -> Rank {
-    if known.is_followed(work, &known.in_world) {
-        return Rank::default();
-    }
-    let rows: Vec<&ConstraintRow> = known.kept.iter().map(|(_, row)| row).collect();
-    let slopes = rows.iter().flat_map(|row| &row.slopes);
-    let slopes: Vec<Id> = slopes.copied().collect();
-    let terms = work.graph.magnitudes(&slopes);
-    let work = &*work;
-    let assembly = Assembly::new(system, work, coordinates, (rows, &terms));
-    assembly.rank(matrix, |closed| {
-        full(&groups(&work.graph, &known.kept, closed))
-    })
 }
 
 /// The solution with rows that depend on each other in closed states. `None` if there are no such

@@ -5,6 +5,7 @@ use crate::model::Labels;
 use crate::symbolic::Id;
 
 /// A constraint in the form that the equations need.
+#[derive(Clone)]
 pub struct ConstraintRow {
     pub name: String,
     /// Zero in all states of the motion; `None` for a constraint of velocities.
@@ -22,6 +23,25 @@ pub struct ConstraintRow {
 }
 
 impl ConstraintRow {
+    /// What shows where it holds, and on what it depends.
+    pub fn parts(&self) -> impl Iterator<Item = Id> {
+        let places = self.value.into_iter().chain(self.facing);
+        places.chain(self.slopes.iter().copied())
+    }
+
+    /// The same with these parts, in their order.
+    pub fn with_parts(&self, parts: &mut impl Iterator<Item = Id>) -> Self {
+        let value = self.value.and_then(|_| parts.next());
+        let facing = self.facing.and_then(|_| parts.next());
+        let slopes = parts.take(self.slopes.len()).collect();
+        Self {
+            value,
+            facing,
+            slopes,
+            ..self.clone()
+        }
+    }
+
     /// Its name, as a word of the language.
     pub fn spelled(&self) -> String {
         self.name.replace('.', "_")

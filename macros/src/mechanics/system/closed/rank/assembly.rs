@@ -8,7 +8,7 @@ use crate::mechanics::tree::MassMatrix;
 use crate::model::{System, TreeJoint, Variable, Workspace};
 use crate::symbolic::{Coordinate, Id};
 
-use super::super::constraints::ConstraintRow;
+use super::super::super::constraints::ConstraintRow;
 use super::numbers::{Random, Span, is_positive, solve};
 
 /// The number of initial states, and the most steps from each.
@@ -52,6 +52,21 @@ pub struct Rank {
     pub closed: Option<Vec<bool>>,
     /// Whether the masses and some of the rows determine the motion in a closed state.
     pub is_settled: bool,
+}
+
+impl Rank {
+    /// What is independent on one of two branches, if it is known on both.
+    pub fn or(self, other: Self) -> Self {
+        let either = |a: Option<Vec<bool>>, b: Option<Vec<bool>>| {
+            let both = a?.into_iter().zip(b?);
+            Some(both.map(|(a, b)| a || b).collect())
+        };
+        Self {
+            is_settled: self.is_settled && other.is_settled,
+            anywhere: either(self.anywhere, other.anywhere),
+            closed: either(self.closed, other.closed),
+        }
+    }
 }
 
 /// The values of symbols.

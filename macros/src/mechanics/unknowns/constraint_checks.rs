@@ -45,20 +45,32 @@ pub fn check_independent(
             continue;
         };
         let others: BTreeSet<usize> = of.into_iter().flatten().copied().collect();
-        let others = others.into_iter().map(|other| &constraints[other].name);
-        errors.push(constraint.place.span(), dependent(&constraint.name, others));
+        let message = if others.is_empty() {
+            trivial(&constraint.name, constraint.position.is_none())
+        } else {
+            let others = others.into_iter().map(|other| &constraints[other].name);
+            dependent(&constraint.name, others)
+        };
+        errors.push(constraint.place.span(), message);
         independent = false;
     }
     independent.then_some(())
 }
 
-/// The error for a constraint that follows from these others, or that is trivial.
+/// The error for a constraint that no acceleration changes.
+pub fn trivial(name: impl Display, is_of_velocities: bool) -> String {
+    let why = if is_of_velocities {
+        ": its velocities cancel, or only conditions have them;"
+    } else {
+        ":"
+    };
+    format!("no acceleration changes `{name}`{why} no load can keep it at zero")
+}
+
+/// The error for a constraint that follows from these others.
 pub fn dependent(name: impl Display, others: impl IntoIterator<Item = impl Display>) -> String {
     let others = others.into_iter().map(|other| format!("`{other}`"));
     let others: Vec<String> = others.collect();
-    if others.is_empty() {
-        return format!("no acceleration changes `{name}`: no load can keep it at zero");
-    }
     let others = others.join(" and ");
     format!("`{name}` is kept already by {others}: leave one of them out")
 }

@@ -16,7 +16,7 @@ mod unit;
 
 pub use consistency::{Consistency, Reach, derive_consistency, derive_reach, reached, summed_size};
 pub use constrained::{Activity, activity};
-pub use constraint_checks::{dependent, lost};
+pub use constraint_checks::{dependent, lost, trivial};
 pub use constraints::derive_constrained;
 pub use inverse::derive_inverse;
 pub use reactions::derive_reactions;

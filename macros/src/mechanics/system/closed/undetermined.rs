@@ -6,7 +6,7 @@ use crate::errors::Errors;
 use crate::mechanics::proofs::samples;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{Built, Properties};
-use crate::mechanics::unknowns::{dependent, lost};
+use crate::mechanics::unknowns::{dependent, lost, trivial};
 use crate::model::{Level, System, Workspace};
 use crate::symbolic::{Components, Elimination, Equation, Graph, Id, Node};
 
@@ -251,6 +251,8 @@ pub fn check_kept(
             )
         } else if is_link {
             continue;
+        } else if others.is_empty() {
+            trivial(name, constraint.level == Level::Velocity)
         } else {
             dependent(name, others)
         };

@@ -84,13 +84,16 @@ pairs! {
     plain: [k = y, h = if x * place > 0 { height } else { y }];
     scaled: [k = y * (1 + x * x), h = if place > 0 { height } else { 2 * y }];
     turned: [k = y * (1 + x * x), h = if place < 0 { y } else { height }];
+    stepped: [k = y + 0 * x, h = y + (height - y) * (place + 0.5).floor()];
+    tabulated: [k = y + 0 * x, h = height * table(place, [-2, -1, 0, 0.25, 0.75, 1], [0, 0, 0, 1, 1, 1])
+        + y * table(place, [-2, -1, 0, 0.25, 0.75, 1], [1, 1, 1, 0, 0, 0])];
     before: [h = if place + x > x { height } else { y + y * x }, k = y];
 }
 
 #[test]
 fn what_follows_on_one_branch_is_kept_on_the_other() {
     macro_rules! check {
-        ($($name:ident)*) => {$(
+        ($($name:ident)*: $is_decided:expr) => {$(
             let state = |place: f64| $name::PairState {
                 j: PlanarTranslation {
                     position: [1.0, 0.0].into(),
@@ -104,10 +107,14 @@ fn what_follows_on_one_branch_is_kept_on_the_other() {
             for (found, expected) in found.into_iter().zip([0.7, 0.0, -0.55, 0.0]) {
                 assert!((found - expected).abs() < 1e-14, "{}: {motion:?}", stringify!($name));
             }
-            let refused = pair.integrate(&state(-0.5)).to(0.1).expect_err("nothing tells the loads");
-            let message = refused.to_string();
-            assert!(message.contains("follows from the other constraints there"), "{message}");
+            // of steps and tables, compiled code does not tell in which piece one follows
+            if $is_decided {
+                let refused = pair.integrate(&state(-0.2)).to(0.1);
+                let message = refused.expect_err("nothing tells the loads").to_string();
+                assert!(message.contains("follows from the other constraints there"), "{message}");
+            }
         )*};
     }
-    check!(plain scaled turned before);
+    check!(plain scaled turned before: true);
+    check!(stepped tabulated: false);
 }

@@ -121,6 +121,18 @@ impl Graph {
         })
     }
 
+    /// Whether some functions in `roots` are made of pieces that are not sides of conditions.
+    pub fn has_pieces(&self, roots: &[Id]) -> bool {
+        self.nodes_of(roots).into_iter().any(|id| {
+            matches!(
+                self.node(id),
+                Node::Unary(Function::Floor | Function::Ceil, _)
+                    | Node::Binary(Function::Table, ..)
+                    | Node::Foreign(..)
+            )
+        })
+    }
+
     /// The value of a table at `x`, with its constant pieces as sides.
     fn with_flat_pieces(&mut self, whole: Id, x: Id, table: Id) -> Id {
         let pieces = self.table(table).map_or(Vec::new(), |table| table.pieces);

@@ -121,8 +121,14 @@ impl<'a> Assembly<'a> {
     }
 
     /// Which rows depend on others, in almost all states and in closed states. Where rows are
-    /// independent, `some` selects those that are to determine the motion, with the masses.
-    pub fn rank(&self, matrix: &MassMatrix, some: impl Fn(&[bool]) -> Vec<usize>) -> Rank {
+    /// independent, `some` selects those that are to determine the motion, with the masses. Where
+    /// rows are made of pieces, those that are independent in one of the closed states count.
+    pub fn rank(
+        &self,
+        matrix: &MassMatrix,
+        some: impl Fn(&[bool]) -> Vec<usize>,
+        has_pieces: bool,
+    ) -> Rank {
         // without open coordinates, nothing moves
         if self.rates.is_empty() {
             return Rank::default();
@@ -137,15 +143,26 @@ impl<'a> Assembly<'a> {
             let moves = self.moves(&values, &mut random)?;
             Some((moves, self.independent_at(&values), values))
         });
+        let closed: Vec<(bool, Vec<bool>, Values)> = closed.collect();
         // folded states have fewer independent rows, but the generic closed state is wanted; rows
         // that hold all in place may be those of another assembly, which does not move
-        let closed = closed.max_by_key(|(moves, found, _)| (*moves, count(found)));
-        let is_settled = |(_, found, values): &(bool, Vec<bool>, Values)| {
-            self.is_settled(values, matrix, &some(found))
+        let best = closed.iter();
+        let best = best.max_by_key(|(moves, found, _)| (*moves, count(found)));
+        let Some((_, found, values)) = best else {
+            return Rank {
+                anywhere,
+                ..Rank::default()
+            };
         };
+        let mut found = found.clone();
+        for (_, other, _) in closed.iter().filter(|_| has_pieces) {
+            for (is_new, is_new_there) in found.iter_mut().zip(other) {
+                *is_new |= is_new_there;
+            }
+        }
         Rank {
-            is_settled: closed.as_ref().is_some_and(is_settled),
-            closed: closed.map(|(_, found, _)| found),
+            is_settled: self.is_settled(values, matrix, &some(&found)),
+            closed: Some(found),
             anywhere,
         }
     }

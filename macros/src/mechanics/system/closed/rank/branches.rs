@@ -21,16 +21,32 @@ pub fn rank(
     matrix: &MassMatrix,
     some: &Selection<'_>,
 ) -> Rank {
+    let smooth = rows.len() - written;
+    let parts: Vec<Id> = parts(&rows[smooth..]).collect();
+    let parts = work.graph.in_pieces(&parts);
+    let rows = with_written(rows, smooth, parts);
     let mut ranks = Ranks {
         system,
         work,
         coordinates,
         matrix,
         some,
-        smooth: rows.len() - written,
+        smooth,
         left: MOST_CONDITIONS,
     };
-    ranks.of(rows).unwrap_or_default()
+    ranks.of(&rows).unwrap_or_default()
+}
+
+fn parts(rows: &[ConstraintRow]) -> impl Iterator<Item = Id> {
+    rows.iter().flat_map(ConstraintRow::parts)
+}
+
+/// The rows, of which those after the smooth ones have these parts.
+fn with_written(rows: &[ConstraintRow], smooth: usize, parts: Vec<Id>) -> Vec<ConstraintRow> {
+    let mut parts = parts.into_iter();
+    let (smooth, written) = rows.split_at(smooth);
+    let written = written.iter().map(|row| row.with_parts(&mut parts));
+    smooth.iter().cloned().chain(written).collect()
 }
 
 type Selection<'s> = dyn Fn(&Graph, &[bool]) -> Vec<usize> + 's;
@@ -49,20 +65,14 @@ struct Ranks<'r> {
 
 impl Ranks<'_> {
     fn of(&mut self, rows: &[ConstraintRow]) -> Option<Rank> {
-        let (smooth, written) = rows.split_at(self.smooth);
-        let parts = written.iter().flat_map(ConstraintRow::parts);
-        let graph = &mut self.work.graph;
-        let parts = graph.in_pieces(&parts.collect::<Vec<Id>>());
-        let Some(condition) = graph.outermost_condition(&parts) else {
+        let parts: Vec<Id> = parts(&rows[self.smooth..]).collect();
+        let Some(condition) = self.work.graph.outermost_condition(&parts) else {
             return Some(self.on_one_branch(rows));
         };
         self.left = self.left.checked_sub(1)?;
         let [there, elsewhere] = [true, false].map(|holds| {
             let side = self.work.graph.on_side(&parts, condition, holds);
-            let mut side = side.into_iter();
-            let written = written.iter().map(|row| row.with_parts(&mut side));
-            let rows = smooth.iter().cloned().chain(written);
-            self.of(&rows.collect::<Vec<ConstraintRow>>())
+            self.of(&with_written(rows, self.smooth, side))
         });
         Some(there?.or(elsewhere?))
     }
@@ -70,8 +80,11 @@ impl Ranks<'_> {
     fn on_one_branch(&mut self, rows: &[ConstraintRow]) -> Rank {
         let slopes: Vec<Id> = rows.iter().flat_map(|row| row.slopes.clone()).collect();
         let terms = self.work.graph.magnitudes(&slopes);
+        let written: Vec<Id> = parts(&rows[self.smooth..]).collect();
+        let has_pieces = self.work.graph.has_pieces(&written);
         let (work, rows) = (&*self.work, (rows.iter().collect(), &terms[..]));
         let assembly = Assembly::new(self.system, work, self.coordinates, rows);
-        assembly.rank(self.matrix, |closed| (self.some)(&work.graph, closed))
+        let some = |closed: &[bool]| (self.some)(&work.graph, closed);
+        assembly.rank(self.matrix, some, has_pieces)
     }
 }

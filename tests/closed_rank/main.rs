@@ -1,6 +1,7 @@
 //! Linkages whose rows depend on each other only in closed states.
 #![allow(missing_docs)]
 
+mod beside;
 mod carried;
 mod change_points;
 mod cranks;

@@ -127,6 +127,9 @@ orders! {
     folded: ((x - 10[m]).abs() + x - 10[m]) / 1[m] * (y - height);
     signed: (1 + (x - 10[m]).signum()) * (y - height);
     curved: table(x / 1[m], [8, 9, 10, 11], [0, 0, 1, 1]) * (y - height);
+    timed: table(t / 1[s], [0, 0.1, 0.2, 3], [0, 0, 1, 1]) * (y - height)
+        * table(x / 1[m], [8, 9, 10, 11], [0, 0, 1, 1]);
+    folded_in_time: ((t - 0.5[s]).abs() + t - 0.5[s]) * (x.signum() + 1) * (y - height) / 1[s];
     counted: (x / 10[m]).floor() * (y - height);
 }
 
@@ -196,6 +199,8 @@ fn a_floor_that_begins_somewhere_holds_from_there() {
         folded: [(-20.0, false), (9.99, false), (10.01, true), (1e4, true)];
         signed: [(-20.0, false), (9.99, false), (10.0, true), (1e4, true)];
         curved: [(-20.0, false), (8.5, false), (9.5, true), (10.5, true), (30.0, true)];
+        timed: [(-20.0, false), (8.5, false), (9.5, true), (30.0, true)];
+        folded_in_time: [(-20.0, false), (3.0, true)];
         counted: [(-0.01, true), (0.0, false), (9.99, false), (10.01, true)];
     }
 }

@@ -48,7 +48,7 @@ pub fn differentiate(model: &Model, work: &mut Workspace) -> Vec<Constrained> {
 pub struct Activity {
     /// The branches on which its gradient is not proved to be zero; `None` if these are all.
     pub condition: Option<Id>,
-    /// Whether it may change on one of the other branches, where no load can keep it.
+    /// Whether it changes on one of the other branches, where no load can keep it.
     pub is_lost: bool,
 }
 
@@ -94,7 +94,9 @@ impl Search<'_> {
         let condition = self.work.graph.outermost_condition(gradient);
         let Some(condition) = condition.filter(|_| self.left > 0) else {
             let is_idle = all_vanish(self.work, gradient);
-            self.is_lost |= is_idle && !all_vanish(self.work, changes);
+            // conditions that are left may exclude each other, or those that are decided
+            let is_decided = self.work.graph.outermost_condition(changes).is_none();
+            self.is_lost |= is_idle && is_decided && !all_vanish(self.work, changes);
             return self.work.graph.truth(is_idle);
         };
         self.left -= 1;

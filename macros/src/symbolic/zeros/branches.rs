@@ -101,15 +101,15 @@ impl Graph {
             let whole = graph.remake(id, image);
             let zero = graph.zero();
             match *graph.node(whole) {
-                Node::Unary(Function::Abs, a) => {
-                    let (is_negative, opposite) = (graph.compare(Less, a, zero), graph.negate(a));
-                    graph.select(is_negative, opposite, a)
-                }
-                // zero has the sign of its bit
-                Node::Unary(Function::Signum, _) => {
-                    let is_negative = graph.compare(Less, whole, zero);
-                    let [one, other] = [1, -1].map(|sign| graph.integer(sign));
-                    graph.select(is_negative, other, one)
+                // by the sign, in which zero has that of its bit
+                Node::Unary(function @ (Function::Abs | Function::Signum), a) => {
+                    let sign = graph.apply(Function::Signum, &[a]);
+                    let is_negative = graph.compare(Less, sign, zero);
+                    let [negative, positive] = match function {
+                        Function::Abs => [graph.negate(a), a],
+                        _ => [-1, 1].map(|sign| graph.integer(sign)),
+                    };
+                    graph.select(is_negative, negative, positive)
                 }
                 Node::Unary(Function::Floor | Function::Ceil, _) => {
                     let is_zero = graph.compare(Equal, whole, zero);
@@ -121,13 +121,14 @@ impl Graph {
         })
     }
 
-    /// Whether some functions in `roots` are made of pieces that are not sides of conditions.
+    /// Whether some functions in `roots` are made of pieces.
     pub fn has_pieces(&self, roots: &[Id]) -> bool {
         self.nodes_of(roots).into_iter().any(|id| {
             matches!(
                 self.node(id),
-                Node::Unary(Function::Floor | Function::Ceil, _)
-                    | Node::Binary(Function::Table, ..)
+                Node::Select(..)
+                    | Node::Unary(Function::Floor | Function::Ceil, _)
+                    | Node::Binary(Function::Min | Function::Max | Function::Table, ..)
                     | Node::Foreign(..)
             )
         })

@@ -10,6 +10,7 @@ use crate::symbolic::{Coordinate, Id};
 
 use super::super::super::constraints::ConstraintRow;
 use super::numbers::{Random, Span, is_positive, solve};
+use super::part::Part;
 
 /// The number of initial states, and the most steps from each.
 const STARTS: u64 = 24;
@@ -39,8 +40,7 @@ pub struct Assembly<'a> {
     defaults: HashMap<Id, f64>,
     /// The largest of the terms of each slope in a few states.
     terms: Vec<Vec<f64>>,
-    /// For each coordinate, whether any row has a slope along it in these states.
-    held: Vec<bool>,
+    parts: Vec<Part>,
 }
 
 /// For each row, whether it is independent of the rows before it.
@@ -89,7 +89,7 @@ impl<'a> Assembly<'a> {
             .filter_map(|(symbol, value)| Some((*symbol, work.graph.as_number(*value)?.to_f64())));
         let mut assembly = Self {
             terms: vec![vec![0.0; coordinates.rates.len()]; rows.len()],
-            held: Vec::new(),
+            parts: Vec::new(),
             rows,
             rates: &coordinates.rates,
             coordinates: &coordinates.places,
@@ -105,10 +105,14 @@ impl<'a> Assembly<'a> {
                 *size = size.max(term.abs());
             }
         }
-        let slopes = generic.iter().flat_map(|one| assembly.rounded_slopes(one));
-        let slopes: Vec<Vec<f64>> = slopes.collect();
-        let is_held = |own: usize| slopes.iter().any(|row| row[own] != 0.0);
-        assembly.held = (0..coordinates.rates.len()).map(is_held).collect();
+        let mut held = vec![vec![false; coordinates.rates.len()]; assembly.rows.len()];
+        for values in &generic {
+            let slopes = assembly.rounded_slopes(values).into_iter().flatten();
+            for (is_held, slope) in held.iter_mut().flatten().zip(slopes) {
+                *is_held |= slope != 0.0;
+            }
+        }
+        assembly.parts = Part::all(held);
         assembly
     }
 
@@ -121,13 +125,14 @@ impl<'a> Assembly<'a> {
     }
 
     /// Which rows depend on others, in almost all states and in closed states. Where rows are
-    /// independent, `some` selects those that are to determine the motion, with the masses. Where
-    /// rows are made of pieces, those that are independent in one of the closed states count.
+    /// independent, `some` selects those that are to determine the motion, with the masses. Of rows
+    /// that are made of pieces, and others with them, those count that are independent in one of
+    /// the closed states.
     pub fn rank(
         &self,
         matrix: &MassMatrix,
         some: impl Fn(&[bool]) -> Vec<usize>,
-        has_pieces: bool,
+        are_pieces: &[bool],
     ) -> Rank {
         // without open coordinates, nothing moves
         if self.rates.is_empty() {
@@ -136,35 +141,54 @@ impl<'a> Assembly<'a> {
         let generic = self.generic().into_iter();
         let generic = generic.map(|values| self.independent_at(&values));
         let anywhere = generic.max_by_key(|found| count(found));
-        let mut begun = (0..STARTS).map(|start| (start, Random::new(start)));
-        let closed = begun.by_ref().filter_map(|(start, mut random)| {
+        let begun = (0..STARTS).map(|start| (start, Random::new(start)));
+        let closed = begun.filter_map(|(start, mut random)| {
             let mut values = self.start(&mut random, start);
             self.close(&mut values)?;
-            let moves = self.moves(&values, &mut random)?;
-            Some((moves, self.independent_at(&values), values))
+            Some((self.independent_at(&values), values, random))
         });
-        let closed: Vec<(bool, Vec<bool>, Values)> = closed.collect();
-        // folded states have fewer independent rows, but the generic closed state is wanted; rows
-        // that hold all in place may be those of another assembly, which does not move
-        let best = closed.iter();
-        let best = best.max_by_key(|(moves, found, _)| (*moves, count(found)));
-        let Some((_, found, values)) = best else {
-            return Rank {
-                anywhere,
-                ..Rank::default()
-            };
-        };
-        let mut found = found.clone();
-        for (_, other, _) in closed.iter().filter(|_| has_pieces) {
-            for (is_new, is_new_there) in found.iter_mut().zip(other) {
-                *is_new |= is_new_there;
-            }
-        }
+        let mut closed: Vec<(Vec<bool>, Values, Random)> = closed.collect();
+        let parts = self.parts.iter();
+        let parts = parts.map(|part| self.best(part, &mut closed, are_pieces));
+        let closed = parts.collect::<Option<Vec<_>>>().map(|parts| {
+            let any = |row: usize| parts.iter().any(|(found, _)| found[row]);
+            let all: Vec<bool> = (0..self.rows.len()).map(any).collect();
+            let some = some(&all);
+            let mut states = parts.iter().map(|(_, values)| values);
+            let is_settled = states.any(|values| self.is_settled(values, matrix, &some));
+            (all, is_settled)
+        });
         Rank {
-            is_settled: self.is_settled(values, matrix, &some(&found)),
-            closed: Some(found),
+            is_settled: closed.as_ref().is_some_and(|(_, is_settled)| *is_settled),
+            closed: closed.map(|(all, _)| all),
             anywhere,
         }
+    }
+
+    /// The independent rows of a part in the generic one of these closed states, and that state.
+    fn best(
+        &self,
+        part: &Part,
+        closed: &mut [(Vec<bool>, Values, Random)],
+        are_pieces: &[bool],
+    ) -> Option<(Vec<bool>, Values)> {
+        let able = closed.iter_mut().filter_map(|(found, values, random)| {
+            let moves = self.moves(part, values, random)?;
+            Some((moves, &*found, &*values))
+        });
+        let able: Vec<(bool, &Vec<bool>, &Values)> = able.collect();
+        // folded states have fewer independent rows, but the generic closed state is wanted; rows
+        // that hold all in place may be those of another assembly, which does not move
+        let best = able.iter();
+        let best = best.max_by_key(|(moves, found, _)| (*moves, part.count(found)));
+        let (_, best, values) = best?;
+        let has_pieces = part.rows.iter().any(|row| are_pieces[*row]);
+        let is_new = |row: usize| {
+            let somewhere = || able.iter().any(|(_, found, _)| found[row]);
+            part.rows.contains(&row) && (best[row] || has_pieces && somewhere())
+        };
+        let found = (0..self.rows.len()).map(is_new).collect();
+        Some((found, (*values).clone()))
     }
 
     /// Whether M and these rows determine the motion in a state: `M + A^T W A` is positive.
@@ -323,24 +347,24 @@ impl<'a> Assembly<'a> {
         moved
     }
 
-    /// Whether the system can move on to a state with equally many independent rows, or all that
+    /// Whether a part can move on to a state with equally many independent rows, or all that its
     /// rows hold is held in place. `None` if it is neither.
-    fn moves(&self, values: &Values, random: &mut Random) -> Option<bool> {
+    fn moves(&self, part: &Part, values: &Values, random: &mut Random) -> Option<bool> {
         let slopes = self.rounded_slopes(values);
         let mut span = Span::default();
-        for row in &slopes {
-            span.take(row.clone());
+        for row in &part.rows {
+            span.take(slopes[*row].clone());
         }
-        let held = self.held.iter();
+        let held = part.held.iter();
         let way = held.map(|is_held| if *is_held { random.number() } else { 0.0 });
         let Some(way) = span.left(way.collect()) else {
-            return (span.rank() == count(&self.held)).then_some(false);
+            return (span.rank() == count(&part.held)).then_some(false);
         };
         let step: Vec<f64> = way.iter().map(|part| MOVED * part).collect();
         let mut moved = self.moved(values, &step);
         let back = self.close(&mut moved)?;
         let back: f64 = back.iter().zip(&way).map(|(a, b)| a * b).sum();
-        let ranks = [values, &moved].map(|values| count(&self.independent_at(values)));
+        let ranks = [values, &moved].map(|values| part.count(&self.independent_at(values)));
         (back > -0.5 * MOVED && ranks[0] == ranks[1]).then_some(true)
     }
 }

@@ -13,7 +13,7 @@ const MOST_CONDITIONS: usize = 31;
 /// Which rows depend on others on all branches: one that is independent on a branch is needed.
 /// Where rows are independent, `some` selects those that are to determine the motion, with the
 /// masses. The last rows, `written` many, are the ones with branches: the conditions of joints choose
-/// between forms of one expression. Nothing is known if there are too many branches.
+/// between forms of one expression. If there are too many branches, they are pieces of one.
 pub fn rank(
     system: &System,
     work: &mut Workspace,
@@ -34,7 +34,7 @@ pub fn rank(
         smooth,
         left: MOST_CONDITIONS,
     };
-    ranks.of(&rows).unwrap_or_default()
+    ranks.of(&rows)
 }
 
 fn parts(rows: &[ConstraintRow]) -> impl Iterator<Item = Id> {
@@ -64,27 +64,31 @@ struct Ranks<'r> {
 }
 
 impl Ranks<'_> {
-    fn of(&mut self, rows: &[ConstraintRow]) -> Option<Rank> {
+    fn of(&mut self, rows: &[ConstraintRow]) -> Rank {
         let parts: Vec<Id> = parts(&rows[self.smooth..]).collect();
-        let Some(condition) = self.work.graph.outermost_condition(&parts) else {
-            return Some(self.on_one_branch(rows));
+        let condition = self.work.graph.outermost_condition(&parts);
+        let Some(condition) = condition.filter(|_| self.left > 0) else {
+            return self.on_one_branch(rows);
         };
-        self.left = self.left.checked_sub(1)?;
+        self.left -= 1;
         let [there, elsewhere] = [true, false].map(|holds| {
             let side = self.work.graph.on_side(&parts, condition, holds);
             self.of(&with_written(rows, self.smooth, side))
         });
-        Some(there?.or(elsewhere?))
+        there.or(elsewhere)
     }
 
     fn on_one_branch(&mut self, rows: &[ConstraintRow]) -> Rank {
         let slopes: Vec<Id> = rows.iter().flat_map(|row| row.slopes.clone()).collect();
-        let terms = self.work.graph.magnitudes(&slopes);
-        let written: Vec<Id> = parts(&rows[self.smooth..]).collect();
-        let has_pieces = self.work.graph.has_pieces(&written);
+        let graph = &mut self.work.graph;
+        let terms = graph.magnitudes(&slopes);
+        let are_pieces = rows.iter().enumerate().map(|(number, row)| {
+            number >= self.smooth && graph.has_pieces(&row.parts().collect::<Vec<Id>>())
+        });
+        let are_pieces: Vec<bool> = are_pieces.collect();
         let (work, rows) = (&*self.work, (rows.iter().collect(), &terms[..]));
         let assembly = Assembly::new(self.system, work, self.coordinates, rows);
         let some = |closed: &[bool]| (self.some)(&work.graph, closed);
-        assembly.rank(self.matrix, some, has_pieces)
+        assembly.rank(self.matrix, some, &are_pieces)
     }
 }

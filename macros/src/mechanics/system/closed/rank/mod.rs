@@ -4,6 +4,7 @@
 mod assembly;
 mod branches;
 mod numbers;
+mod part;
 
 pub use assembly::{Coordinates, Rank};
 pub use branches::rank;

@@ -1,0 +1,72 @@
+//! A linkage with a crank too many, beside a body that has nothing to do with it.
+
+use newton_euler::prelude::*;
+
+/// Three parallel cranks under a bar, and a slider with a constraint of its own.
+macro_rules! cranks {
+    ($($name:ident: $constraint:expr;)*) => {$(
+        mod $name {
+            newton_euler::rigid_system!(Beside {
+                motion: planar,
+                bodies: [
+                    bar { mass: 2[kg], inertia: 0.3[kg * m ^ 2], points: [l = (-1, 0), m = (0, 0), r = (1, 0)] },
+                    first { mass: 1[kg], inertia: 0.1[kg * m ^ 2], points: [pin = (0, 0), end = (1, 0)] },
+                    second { mass: 1[kg], inertia: 0.1[kg * m ^ 2], points: [pin = (0, 0), end = (1, 0)] },
+                    third { mass: 1[kg], inertia: 0.1[kg * m ^ 2], points: [pin = (0, 0), end = (1, 0)] },
+                    slider { mass: 1[kg], inertia: 0.1[kg * m ^ 2] },
+                ],
+                joints: [
+                    a = revolute(world(0, 0), first.pin),
+                    b = revolute(first.end, bar.l),
+                    c = revolute(world(1, 0), second.pin),
+                    d = revolute(world(2, 0), third.pin),
+                    base = translation(slider),
+                    middle = revolute(bar.m, second.end),
+                    right = revolute(bar.r, third.end),
+                ],
+                locals: [
+                    x = slider.position.in_world().x / 1[m],
+                    y = slider.position.in_world().y / 1[m],
+                ],
+                fields: [weight = mass * world(1[m / s ^ 2], -9.8[m / s ^ 2])],
+                constraints: [rail = $constraint],
+            });
+        }
+    )*};
+}
+
+cranks! {
+    straight: y + 0.1 * x;
+    curved: y + 0.1 * x * x;
+    bent: y + (x - 1).max(0);
+    two_rails: if x > 1 { y } else { y - x };
+    tabulated: y + table(x, [0, 1, 2, 3], [0.3, 0.1, 0.2, 0.5]);
+    often_bent: y + (x - 1).max(0) + (x - 2).max(0) + (x - 3).max(0) + (x - 4).max(0) + (x - 5).max(0)
+        + (x - 6).max(0) + (x - 7).max(0);
+}
+
+/// By hand: the cranks turn about their G, and the bar moves on a circle.
+#[test]
+fn a_slider_does_not_lock_the_cranks_beside_it() {
+    macro_rules! check {
+        ($($name:ident)*) => {$(
+            for (angle, x) in [(0.8_f64, 2.5), (-0.4, 0.5)] {
+                let hinge = |angle, angular_velocity| Hinge { angle, angular_velocity };
+                let crank = hinge(angle, 0.7);
+                let state = $name::BesideState {
+                    a: crank,
+                    b: hinge(-angle, -0.7),
+                    c: crank,
+                    d: crank,
+                    base: PlanarTranslation { position: [x, 0.0].into(), ..Default::default() },
+                };
+                let motion = $name::Beside::default().acceleration(0.0, &state, &());
+                let expected = 2.0 * (-angle.sin() - 9.8 * angle.cos()) / (3.0 * 0.1 + 2.0);
+                for (found, sign) in [(motion.a, 1.0), (motion.b, -1.0), (motion.c, 1.0), (motion.d, 1.0)] {
+                    assert!((found - sign * expected).abs() < 1e-12, "{} {motion:?}", stringify!($name));
+                }
+            }
+        )*};
+    }
+    check!(straight curved bent two_rails tabulated often_bent);
+}

@@ -25,6 +25,10 @@ blocks! {
     signed: y * (1 + y.signum());
     lines: table(y, [0, 1, 2][m], [0, 1, 1][m]);
     curves: table(y, [-1, 0, 1, 2][m], [0, 0, 2, 2][m], cubic);
+    grid: table(
+        y, block.position.in_world().x, [-1, 0, 1][m], [0, 1, 2][m],
+        [[0, 0, 0], [0, 0, 0], [1, 1, 1]][m]
+    );
     ledge: if block.position.in_world().x > 1[m] { y } else { 7[m] };
 }
 
@@ -53,6 +57,7 @@ fn a_floor_holds_where_it_is() {
         signed: [(0.0, -0.5, false), (0.0, 0.5, true)];
         lines: [(0.0, -0.5, false), (0.0, 0.5, true), (0.0, 1.5, false), (0.0, 9.0, false)];
         curves: [(0.0, -2.0, false), (0.0, -0.5, false), (0.0, 0.5, true), (0.0, 1.5, false), (0.0, 3.0, false)];
+        grid: [(0.5, -0.5, false), (1.5, 0.5, true), (1.5, 2.0, false)];
         ledge: [(0.0, 0.0, false), (2.0, 0.0, true)];
     }
 }

@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 
 use crate::mechanics::proofs::all_vanish;
 use crate::mechanics::variation::{Rates, rates};
-use crate::model::{Level, Model, Workspace};
+use crate::model::{Level, Meaning, Model, Variable, Workspace};
 use crate::symbolic::Id;
 
 /// The most conditions that are decided, one inside the other or side by side: eight that have nothing
@@ -52,18 +52,19 @@ pub struct Activity {
     pub is_lost: bool,
 }
 
-/// Where a constraint with this gradient is not trivial; `changes` are its changes without
-/// accelerations.
-pub fn activity(work: &mut Workspace, gradient: &[Id], changes: &[Id]) -> Activity {
-    let roots = [gradient, changes].concat();
-    let roots = work.graph.in_pieces(&roots);
-    if work
-        .graph
-        .outermost_condition(&roots[..gradient.len()])
-        .is_none()
-    {
+/// Where a constraint with this gradient is not trivial. `rate` is its derivative: for a constraint
+/// of velocities, the part of it without accelerations.
+pub fn activity(work: &mut Workspace, gradient: &[Id], (level, rate): (Level, Id)) -> Activity {
+    let pieces = work.graph.in_pieces(gradient);
+    if work.graph.outermost_condition(&pieces).is_none() {
         return Activity::default();
     }
+    // where the gradient is zero, so is what velocities change
+    let change = match level {
+        Level::Position => at_rest(work, rate),
+        Level::Velocity => rate,
+    };
+    let roots = work.graph.in_pieces(&[gradient, &[change]].concat());
     let mut search = Search {
         work,
         length: gradient.len(),
@@ -77,10 +78,23 @@ pub fn activity(work: &mut Workspace, gradient: &[Id], changes: &[Id]) -> Activi
     Activity { condition, is_lost }
 }
 
+/// An expression without velocities.
+fn at_rest(work: &mut Workspace, root: Id) -> Id {
+    let zero = work.graph.zero();
+    let is_rate = |id: &Id| match work.meaning(*id) {
+        Some(Meaning::Of(_, variable, _)) => variable.is_rate() && variable != Variable::Own,
+        _ => false,
+    };
+    let rates = work.graph.nodes_of(&[root]).into_iter().filter(is_rate);
+    let rates: Vec<(Id, Id)> = rates.map(|rate| (rate, zero)).collect();
+    let [root] = work.graph.replaced([root], &rates);
+    root
+}
+
 /// The search for branches on which a gradient is zero.
 struct Search<'w> {
     work: &'w mut Workspace,
-    /// The number of roots that are the gradient; the others are changes without accelerations.
+    /// The number of roots that are the gradient; the last is its change by itself.
     length: usize,
     /// How many conditions may still be decided.
     left: usize,

@@ -13,7 +13,7 @@
 use crate::errors::{Errors, Extent};
 use crate::mechanics::balances::{EulerForm, check_moment_free, response, rod, solve_balances};
 use crate::mechanics::proofs::samples;
-use crate::model::{Frame, Load, Model, Pair, Vector, Workspace};
+use crate::model::{Frame, Level, Load, Model, Pair, Vector, Workspace};
 use crate::symbolic::{Components, Function, Id, Residue, Sample, Size};
 
 use super::constrained::{Constrained, activity, differentiate};
@@ -66,10 +66,12 @@ pub fn derive_constrained(
     rows.extend(left.iter().map(|(_, row)| row.clone()));
     let mut system = equations(work, rows);
     for (equation, constraint) in system.iter_mut().zip(&constraints) {
-        let changes = [constraint.velocity, constraint.rates.rate];
-        let first = usize::from(constraint.position.is_none());
+        let change = match constraint.position {
+            Some(_) => (Level::Position, constraint.velocity),
+            None => (Level::Velocity, constraint.rates.rate),
+        };
         let gradient = constraint.rates.factors.entries();
-        let activity = activity(work, &gradient, &changes[first..]);
+        let activity = activity(work, &gradient, change);
         if activity.is_lost {
             let message = lost(&constraint.name, constraint.position.is_none());
             errors.push(constraint.place.span(), message);

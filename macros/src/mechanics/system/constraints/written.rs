@@ -46,10 +46,9 @@ fn row(
             work.graph.quantity(slope)
         })
         .collect();
-    let changes = [rate, bias];
-    let changes = match constraint.level {
-        Level::Position => &changes[..],
-        Level::Velocity => &changes[1..],
+    let change = match constraint.level {
+        Level::Position => rate,
+        Level::Velocity => bias,
     };
     ConstraintRow {
         name: constraint.name.clone(),
@@ -57,7 +56,7 @@ fn row(
         facing: None,
         rate: work.graph.quantity(rate),
         bias: work.graph.quantity(bias),
-        activity: activity(work, &slopes, changes),
+        activity: activity(work, &slopes, (constraint.level, change)),
         slopes,
     }
 }

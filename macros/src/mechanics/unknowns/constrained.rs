@@ -24,6 +24,15 @@ pub struct Constrained {
     pub rates: Rates,
 }
 
+impl Constrained {
+    pub fn level(&self) -> Level {
+        match self.position {
+            Some(_) => Level::Position,
+            None => Level::Velocity,
+        }
+    }
+}
+
 /// All constraints, with their conditions on velocities and accelerations.
 pub fn differentiate(model: &Model, work: &mut Workspace) -> Vec<Constrained> {
     let constraints = model.constraints.iter().map(|constraint| {
@@ -52,9 +61,14 @@ pub struct Activity {
     pub is_lost: bool,
 }
 
-/// Where a constraint with this gradient is not trivial. `rate` is its derivative: for a constraint
-/// of velocities, the part of it without accelerations.
-pub fn activity(work: &mut Workspace, gradient: &[Id], (level, rate): (Level, Id)) -> Activity {
+/// Where a constraint with this gradient is not trivial. Its rate is that of a position, and its
+/// drift is the derivative of a velocity without accelerations.
+pub fn activity(
+    work: &mut Workspace,
+    gradient: &[Id],
+    level: Level,
+    [rate, drift]: [Id; 2],
+) -> Activity {
     let pieces = work.graph.in_pieces(gradient);
     if work.graph.outermost_condition(&pieces).is_none() {
         return Activity::default();
@@ -62,7 +76,7 @@ pub fn activity(work: &mut Workspace, gradient: &[Id], (level, rate): (Level, Id
     // where the gradient is zero, so is what velocities change
     let change = match level {
         Level::Position => at_rest(work, rate),
-        Level::Velocity => rate,
+        Level::Velocity => drift,
     };
     let roots = work.graph.in_pieces(&[gradient, &[change]].concat());
     let mut search = Search {
@@ -94,7 +108,7 @@ fn at_rest(work: &mut Workspace, root: Id) -> Id {
 /// The search for branches on which a gradient is zero.
 struct Search<'w> {
     work: &'w mut Workspace,
-    /// The number of roots that are the gradient; the last is its change by itself.
+    /// The number of roots that are the gradient; the last is the change by itself.
     length: usize,
     /// How many conditions may still be decided.
     left: usize,

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use crate::errors::{Errors, Extent};
 use crate::mechanics::proofs::{all_vanish, samples};
-use crate::model::{Model, Workspace};
+use crate::model::{Level, Model, Workspace};
 use crate::symbolic::{Elimination, Id, Residue, Span};
 
 use super::constrained::Constrained;
@@ -46,7 +46,7 @@ pub fn check_independent(
         };
         let others: BTreeSet<usize> = of.into_iter().flatten().copied().collect();
         let message = if others.is_empty() {
-            trivial(&constraint.name, constraint.position.is_none())
+            trivial(&constraint.name, constraint.level())
         } else {
             let others = others.into_iter().map(|other| &constraints[other].name);
             dependent(&constraint.name, others)
@@ -58,11 +58,10 @@ pub fn check_independent(
 }
 
 /// The error for a constraint that no acceleration changes.
-pub fn trivial(name: impl Display, is_of_velocities: bool) -> String {
-    let why = if is_of_velocities {
-        ": its velocities cancel, or only conditions have them;"
-    } else {
-        ":"
+pub fn trivial(name: impl Display, level: Level) -> String {
+    let why = match level {
+        Level::Position => ":",
+        Level::Velocity => ": its velocities cancel, or only conditions have them;",
     };
     format!("no acceleration changes `{name}`{why} no load can keep it at zero")
 }
@@ -75,14 +74,18 @@ pub fn dependent(name: impl Display, others: impl IntoIterator<Item = impl Displ
     format!("`{name}` is kept already by {others}: leave one of them out")
 }
 
-/// The error for a constraint that may change where no acceleration changes it.
-pub fn lost(name: impl Display, is_of_velocities: bool) -> String {
-    if is_of_velocities {
-        return format!(
+/// The error for a constraint that changes where no acceleration changes it.
+pub fn lost(name: impl Display, level: Level) -> String {
+    match level {
+        Level::Position => {
+            format!(
+                "on some branches `{name}` changes by itself: no load can keep it at zero there"
+            )
+        }
+        Level::Velocity => format!(
             "`{name}` has velocities on some branches only: no load can keep it at zero on the others"
-        );
+        ),
     }
-    format!("on some branches `{name}` changes by itself: no load can keep it at zero there")
 }
 
 /// For each gradient on one branch, the others that it follows from. `None` if it is independent or

@@ -13,7 +13,8 @@
 use crate::errors::{Errors, Extent};
 use crate::mechanics::balances::{EulerForm, check_moment_free, response, rod, solve_balances};
 use crate::mechanics::proofs::samples;
-use crate::model::{Frame, Level, Load, Model, Pair, Vector, Workspace};
+use crate::mechanics::variation::Rates;
+use crate::model::{Frame, Load, Model, Pair, Vector, Workspace};
 use crate::symbolic::{Components, Function, Id, Residue, Sample, Size};
 
 use super::constrained::{Constrained, activity, differentiate};
@@ -66,15 +67,11 @@ pub fn derive_constrained(
     rows.extend(left.iter().map(|(_, row)| row.clone()));
     let mut system = equations(work, rows);
     for (equation, constraint) in system.iter_mut().zip(&constraints) {
-        let change = match constraint.position {
-            Some(_) => (Level::Position, constraint.velocity),
-            None => (Level::Velocity, constraint.rates.rate),
-        };
-        let gradient = constraint.rates.factors.entries();
-        let activity = activity(work, &gradient, change);
+        let Rates { rate, factors } = &constraint.rates;
+        let (level, changes) = (constraint.level(), [constraint.velocity, *rate]);
+        let activity = activity(work, &factors.entries(), level, changes);
         if activity.is_lost {
-            let message = lost(&constraint.name, constraint.position.is_none());
-            errors.push(constraint.place.span(), message);
+            errors.push(constraint.place.span(), lost(&constraint.name, level));
         }
         equation.active = activity.condition;
         equation.sizes = sizes(model, work, constraint, &pushes);

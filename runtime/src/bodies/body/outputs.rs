@@ -219,8 +219,9 @@ pub trait Inverse: RigidBody {
 /// The mass and inertia of the description may be any numbers: the rows do not depend on them. So a
 /// field is a weight only as far as the compiler proves that its force is proportional to the mass:
 ///
-/// - It is among the `fields` of a body or of a system, acts at G, is fixed in world axes, and does
-///   not depend on position, attitude or velocity. It may depend on time, inputs and `states`.
+/// - It is among the `fields` of a body or of a system, acts at G, is fixed in axes that do
+///   not rotate, and does not depend on position, attitude or velocity. It may depend on time,
+///   inputs and `states`.
 /// - Its force is `mass * g + r`, where g depends on no mass and no inertia, nor on a parameter that
 ///   they are computed from. Then `mass * g` is part of the rows, and r is a load. If the force is
 ///   not linear in the mass, all of it is a load.

@@ -7,7 +7,7 @@ use crate::mechanics::proofs::samples;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{Built, Properties};
 use crate::mechanics::unknowns::{dependent, lost, trivial};
-use crate::model::{Level, System, Workspace};
+use crate::model::{System, Workspace};
 use crate::symbolic::{Components, Elimination, Equation, Graph, Id, Node};
 
 use super::super::constraints::ConstraintRow;
@@ -214,7 +214,7 @@ pub fn check_closed(
     apart.is_empty().then_some(())
 }
 
-/// Reports written constraints that may change where no acceleration changes them.
+/// Reports written constraints that change where no acceleration changes them.
 pub fn check_lost(
     system: &System,
     rows: &[(Owner, ConstraintRow)],
@@ -224,7 +224,7 @@ pub fn check_lost(
     for (owner, row) in rows.iter().filter(|(_, row)| row.activity.is_lost) {
         if let Some(number) = owner.number() {
             let constraint = &system.constraints.list[number];
-            let message = lost(&row.name, constraint.level == Level::Velocity);
+            let message = lost(&row.name, constraint.level);
             errors.push(constraint.extent, message);
         }
     }
@@ -252,7 +252,7 @@ pub fn check_kept(
         } else if is_link {
             continue;
         } else if others.is_empty() {
-            trivial(name, constraint.level == Level::Velocity)
+            trivial(name, constraint.level)
         } else {
             dependent(name, others)
         };

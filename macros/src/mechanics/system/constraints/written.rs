@@ -46,17 +46,13 @@ fn row(
             work.graph.quantity(slope)
         })
         .collect();
-    let change = match constraint.level {
-        Level::Position => rate,
-        Level::Velocity => bias,
-    };
     ConstraintRow {
         name: constraint.name.clone(),
         value,
         facing: None,
         rate: work.graph.quantity(rate),
         bias: work.graph.quantity(bias),
-        activity: activity(work, &slopes, (constraint.level, change)),
+        activity: activity(work, &slopes, constraint.level, [rate, bias]),
         slopes,
     }
 }

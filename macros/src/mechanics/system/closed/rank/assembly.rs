@@ -4,11 +4,11 @@
 
 use std::collections::HashMap;
 
+use crate::mechanics::system::constraints::ConstraintRow;
 use crate::mechanics::tree::MassMatrix;
 use crate::model::{System, TreeJoint, Variable, Workspace};
 use crate::symbolic::{Coordinate, Id};
 
-use super::super::super::constraints::ConstraintRow;
 use super::numbers::{Random, Span, is_positive, solve};
 use super::part::Part;
 

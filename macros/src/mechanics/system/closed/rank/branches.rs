@@ -1,10 +1,10 @@
 //! Which rows depend on others, on each branch of the constraints.
 
+use crate::mechanics::system::constraints::ConstraintRow;
 use crate::mechanics::tree::MassMatrix;
 use crate::model::{System, Workspace};
 use crate::symbolic::{Graph, Id};
 
-use super::super::super::constraints::ConstraintRow;
 use super::assembly::{Assembly, Coordinates, Rank};
 
 /// The most conditions in constraints that are decided, one inside the other or side by side.
@@ -68,7 +68,7 @@ impl Ranks<'_> {
         let parts: Vec<Id> = parts(&rows[self.smooth..]).collect();
         let condition = self.work.graph.outermost_condition(&parts);
         let Some(condition) = condition.filter(|_| self.left > 0) else {
-            return self.on_one_branch(rows);
+            return self.together(rows);
         };
         self.left -= 1;
         let [there, elsewhere] = [true, false].map(|holds| {
@@ -78,7 +78,7 @@ impl Ranks<'_> {
         there.or(elsewhere)
     }
 
-    fn on_one_branch(&mut self, rows: &[ConstraintRow]) -> Rank {
+    fn together(&mut self, rows: &[ConstraintRow]) -> Rank {
         let slopes: Vec<Id> = rows.iter().flat_map(|row| row.slopes.clone()).collect();
         let graph = &mut self.work.graph;
         let terms = graph.magnitudes(&slopes);

@@ -136,7 +136,13 @@ impl Search<'_> {
             return there;
         }
         let graph = &mut self.work.graph;
-        let opposite = graph.not(condition);
+        let (always, opposite) = (graph.truth(true), graph.not(condition));
+        if there == always {
+            return graph.or(condition, elsewhere);
+        }
+        if elsewhere == always {
+            return graph.or(opposite, there);
+        }
         let there = graph.and(condition, there);
         let elsewhere = graph.and(opposite, elsewhere);
         graph.or(there, elsewhere)

@@ -19,4 +19,4 @@ pub use exact::Number;
 pub use foreign::Foreign;
 pub use function::{Function, ORDERS};
 pub use residue::Residue;
-pub use table::Table;
+pub use table::{Piece, Table};

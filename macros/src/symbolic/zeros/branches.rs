@@ -4,9 +4,9 @@ use std::collections::HashMap;
 use std::ops::ControlFlow;
 
 use crate::symbolic::algebra::takes_first;
-use crate::symbolic::graph::Comparison::{Equal, Less, LessOrEqual};
+use crate::symbolic::graph::Comparison::{Equal, Less};
 use crate::symbolic::graph::{Graph, Id, Node};
-use crate::symbolic::number::{Function, Number};
+use crate::symbolic::number::{Function, Number, Piece};
 
 use super::identity::{Residues, Side};
 
@@ -134,30 +134,33 @@ impl Graph {
         })
     }
 
-    /// The value of a table at `x`, with its constant pieces as sides.
+    /// The value of a table at `x`, piece by piece, with its constants.
     fn with_flat_pieces(&mut self, whole: Id, x: Id, table: Id) -> Id {
         let pieces = self.table(table).map_or(Vec::new(), |table| table.pieces);
-        let mut value = whole;
-        for (place, piece) in pieces.iter().enumerate() {
-            let mut slopes = piece.coefficients.iter().skip(1);
-            if !slopes.all(Number::is_zero) {
-                continue;
-            }
-            let mut is_there = self.truth(true);
-            if place > 0 {
-                let start = self.number(piece.start.clone());
-                is_there = self.compare(LessOrEqual, start, x);
-            }
-            if let Some(next) = pieces.get(place + 1) {
-                let end = self.number(next.start.clone());
-                let is_below = self.compare(Less, x, end);
-                is_there = self.and(is_there, is_below);
-            }
-            let constant = piece.coefficients.first().cloned();
-            let constant = self.number(constant.unwrap_or_else(Number::zero));
-            value = self.select(is_there, constant, value);
+        let mut value = None;
+        let mut end = None;
+        for Piece {
+            start,
+            coefficients,
+        } in pieces.into_iter().rev()
+        {
+            let is_flat = coefficients.iter().skip(1).all(Number::is_zero);
+            let constant = coefficients.into_iter().next();
+            let piece = if is_flat {
+                self.number(constant.unwrap_or_else(Number::zero))
+            } else {
+                whole
+            };
+            value = Some(match (value, end) {
+                (Some(beyond), Some(end)) => {
+                    let is_below = self.compare(Less, x, end);
+                    self.select(is_below, piece, beyond)
+                }
+                _ => piece,
+            });
+            end = Some(self.number(start));
         }
-        value
+        value.unwrap_or(whole)
     }
 
     /// A condition, the expression where it holds, and the expression where it does not.

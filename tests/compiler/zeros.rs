@@ -252,8 +252,9 @@ fn branches_that_are_not_tried_may_vanish() {
             graph.multiply(product, factor)
         });
         let root = graph.subtract(whole, product);
-        let samples = graph.samples(&[root], |id| free(id, 0));
-        assert_eq!(samples[0].may_vanish(), may_vanish, "{count} conditions");
+        let of = |id| free(id, 0);
+        let samples = graph.samples(&[root], of);
+        assert_eq!(graph.may_vanish(root, of), may_vanish, "{count} conditions");
         assert_eq!(
             samples[0].is_nonzero_where_tried(),
             !may_vanish || count > 6
@@ -401,4 +402,24 @@ fn roots_have_the_sign_of_doubles() {
         forces: [push = world(0, 2305843009213693951[N], 0)],
     }));
     assert!(!expansion.to_string().contains("is_force_free : true"));
+}
+
+/// `floor(a)` is one on a step, so `floor(a) - 1` vanishes there, and so may all that depends on steps;
+/// what only seems to depend on them does not.
+#[test]
+fn what_depends_on_a_step_may_vanish() {
+    let mut graph = Graph::default();
+    let [a, b] = [Stage::State; 2].map(|stage| graph.symbol(stage));
+    let (one, step) = (graph.one(), graph.apply(Function::Floor, &[a]));
+    let before = graph.subtract(step, one);
+    let [product, other] = [graph.multiply(b, before), graph.multiply(b, step)];
+    let difference = graph.subtract(other, product);
+    for (root, may_vanish) in [
+        (step, true),
+        (product, true),
+        (difference, false),
+        (b, false),
+    ] {
+        assert_eq!(graph.may_vanish(root, |id| free(id, 0)), may_vanish);
+    }
 }

@@ -47,6 +47,12 @@ pub fn samples(work: &Workspace, roots: &[Id]) -> Vec<Sample> {
     work.graph.samples(roots, |id| state.of(work, id))
 }
 
+/// Whether an expression may be zero everywhere on some branch, or on a piece of a function.
+pub fn may_vanish(work: &Workspace, root: Id) -> bool {
+    let state = RandomState::draw(0);
+    work.graph.may_vanish(root, |id| state.of(work, id))
+}
+
 /// Whether the sums of `roots` over an attitude and its half turns about the body axes are proved
 /// to be zero. The entries of the rotation matrix have this property, and so has everything linear
 /// in them.

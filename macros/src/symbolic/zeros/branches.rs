@@ -95,8 +95,10 @@ impl Graph {
     }
 
     /// Expressions with the pieces of their functions as sides of conditions, where a piece is
-    /// simpler than the function: of `abs`, `signum` and tables; `floor` and `ceil` where they are zero.
+    /// simpler than the function: of `abs`, `signum` and tables; `floor` and `ceil` where they are zero,
+    /// or equal to a number that is next to them.
     pub fn in_pieces(&mut self, roots: &[Id]) -> Vec<Id> {
+        let steps = self.steps(roots);
         self.rebuild(roots, |graph, id, image| {
             let whole = graph.remake(id, image);
             let zero = graph.zero();
@@ -112,13 +114,39 @@ impl Graph {
                     graph.select(is_negative, negative, positive)
                 }
                 Node::Unary(Function::Floor | Function::Ceil, _) => {
-                    let is_zero = graph.compare(Equal, whole, zero);
-                    graph.select(is_zero, zero, whole)
+                    let own = steps.iter().filter(|(step, _)| *step == id);
+                    let values = own.map(|(_, value)| *value);
+                    [zero].into_iter().chain(values).fold(whole, |rest, value| {
+                        let is_there = graph.compare(Equal, whole, value);
+                        graph.select(is_there, value, rest)
+                    })
                 }
                 Node::Binary(Function::Table, x, table) => graph.with_flat_pieces(whole, x, table),
                 _ => whole,
             }
         })
+    }
+
+    /// Each `floor` and `ceil` in `roots`, with the numbers whose difference or sum with it is zero on
+    /// one step.
+    fn steps(&mut self, roots: &[Id]) -> Vec<(Id, Id)> {
+        let mut steps = Vec::new();
+        for id in self.nodes_of(roots) {
+            let (a, b, is_sum) = match *self.node(id) {
+                Node::Add(a, b) => (a, b, true),
+                Node::Subtract(a, b) | Node::Compare(_, a, b) => (a, b, false),
+                _ => continue,
+            };
+            for (step, number) in [(a, b), (b, a)] {
+                let is_step =
+                    |node: &Node| matches!(node, Node::Unary(Function::Floor | Function::Ceil, _));
+                if is_step(self.node(step)) && self.as_number(number).is_some() {
+                    let value = if is_sum { self.negate(number) } else { number };
+                    steps.push((step, value));
+                }
+            }
+        }
+        steps
     }
 
     /// Whether some functions in `roots` are made of pieces.

@@ -20,12 +20,14 @@ use crate::symbolic::number::{Foreign, Function, Number, Residue};
 /// Residues on one branch; `None` stands for a quotient by zero.
 pub struct Residues<'a> {
     side: &'a mut dyn FnMut(Side) -> Option<bool>,
+    /// The number of the values that functions made of pieces have.
+    pub pieces: u8,
 }
 
 impl<'a> Residues<'a> {
     /// Residues on the branch given by `side`. A choice without an answer becomes a symbol.
     pub(in crate::symbolic) fn new(side: &'a mut dyn FnMut(Side) -> Option<bool>) -> Self {
-        Self { side }
+        Self { side, pieces: 0 }
     }
 
     /// A sine, a cosine or a tangent, by the tangent of half the angle.
@@ -168,6 +170,9 @@ impl Algebra for Residues<'_> {
             }
             (Function::Min, [a, b]) => Some(self.where_less([*a, *b], *a, *b)),
             (Function::Max, [a, b]) => Some(self.where_less([*b, *a], *a, *b)),
+            _ if function.is_piecewise() => {
+                Some(Residue::stand_in(&(function, arguments, self.pieces)))
+            }
             _ => Some(Residue::stand_in(&(function, arguments))),
         }
     }
@@ -177,7 +182,8 @@ impl Algebra for Residues<'_> {
         function: Foreign,
         [a, b, c]: &[Option<Residue>; Foreign::ARGUMENTS],
     ) -> Option<Residue> {
-        Some(Residue::stand_in(&(function, [(*a)?, (*b)?, (*c)?])))
+        let arguments = [(*a)?, (*b)?, (*c)?];
+        Some(Residue::stand_in(&(function, arguments, self.pieces)))
     }
 
     fn is_zero(&self, a: &Option<Residue>) -> bool {

@@ -14,7 +14,7 @@ use super::branches::{MOST_CHOICES, on_branches};
 use super::identity::{Residues, Side};
 
 /// The value of an expression at one random place, on each branch; `None` where it has none.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub struct Sample(pub Vec<Option<Residue>>);
 
 impl Sample {
@@ -42,13 +42,6 @@ impl Sample {
     pub fn is_nonzero_where_tried(&self) -> bool {
         let is_nonzero = |value: &Option<Residue>| value.is_some_and(|value| !value.is_zero());
         self.0.iter().all(is_nonzero)
-    }
-
-    /// Whether it may be zero everywhere on some branch: of branches that are not tried, nothing is
-    /// known.
-    pub fn may_vanish(&self) -> bool {
-        let are_all_tried = self.0.len() <= 1 << MOST_CHOICES;
-        !(are_all_tried && self.is_nonzero_where_tried())
     }
 
     /// `self / divisor`
@@ -89,11 +82,32 @@ impl Graph {
 
     /// The sums of the values of `roots` at several places.
     pub fn sums(&self, roots: &[Id], places: &[impl Fn(Id) -> Residue]) -> Vec<Sample> {
+        self.sums_with(0, roots, places)
+    }
+
+    /// Whether an expression may be zero everywhere on some branch, or on a piece of a function: of
+    /// branches that are not tried nothing is known, nor of the values on each piece.
+    pub fn may_vanish(&self, root: Id, symbol: impl Fn(Id) -> Residue) -> bool {
+        let of = |pieces| self.sums_with(pieces, &[root], &[&symbol]).pop();
+        let [sample, other] = [0, 1].map(of);
+        let are_all_tried = |sample: &Sample| sample.0.len() <= 1 << MOST_CHOICES;
+        let is_nonzero = |sample: &Sample| are_all_tried(sample) && sample.is_nonzero_where_tried();
+        !sample.as_ref().is_some_and(is_nonzero) || sample != other
+    }
+
+    /// The sums, for these values of functions that are made of pieces.
+    fn sums_with(
+        &self,
+        pieces: u8,
+        roots: &[Id],
+        places: &[impl Fn(Id) -> Residue],
+    ) -> Vec<Sample> {
         let tape = self.tape(roots);
         if !tape.has_small_degree() {
             return vec![Sample(vec![None]); roots.len()];
         }
         let branches = on_branches(|residues| {
+            residues.pieces = pieces;
             let mut sums = vec![Some(Residue::ZERO); roots.len()];
             for symbol in places {
                 let values = tape.values(residues, |_, id| Some(symbol(id)));

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::errors::Errors;
-use crate::mechanics::proofs::samples;
+use crate::mechanics::proofs::may_vanish;
 use crate::mechanics::tree::link::Tree;
 use crate::mechanics::tree::{Built, Properties};
 use crate::mechanics::unknowns::{dependent, lost, trivial};
@@ -176,7 +176,7 @@ fn are_held_apart(work: &mut Workspace, rows: &[&ConstraintRow]) -> bool {
         return false;
     }
     let [square, change] = [&values, &rates].map(|factors| graph.inner(&values, factors));
-    graph.vanishes(change) && !samples(work, &[square])[0].may_vanish()
+    graph.vanishes(change) && !may_vanish(work, square)
 }
 
 /// Reports joints that close loops which no motion can close, because other joints hold both of their

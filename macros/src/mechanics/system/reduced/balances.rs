@@ -1,6 +1,6 @@
 //! Balances and rows, solved block by block.
 
-use crate::mechanics::proofs::samples;
+use crate::mechanics::proofs::{may_vanish, samples};
 use crate::model::Workspace;
 use crate::symbolic::{Graph, Id};
 
@@ -145,7 +145,7 @@ impl<'w> Balances<'w> {
         let (determinant, numerators) = solved(graph, &known.slopes, &known.right);
         let size = graph.largest_term(determinant);
         let determinant = graph.quantity(determinant);
-        if samples(self.work, &[determinant])[0].may_vanish() {
+        if may_vanish(self.work, determinant) {
             return None;
         }
         let inverse = if known.coordinates.iter().all(|own| *own < self.given) {
@@ -195,7 +195,7 @@ impl<'w> Balances<'w> {
             .collect();
         let inertia = graph.inner(momentum.iter().copied(), &along);
         let inertia = graph.quantity(inertia);
-        if samples(self.work, &[inertia])[0].may_vanish() {
+        if may_vanish(self.work, inertia) {
             return None;
         }
         let graph = &mut self.work.graph;

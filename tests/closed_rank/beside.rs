@@ -40,6 +40,9 @@ cranks! {
     curved: y + 0.1 * x * x;
     bent: y + (x - 1).max(0);
     two_rails: if x > 1 { y } else { y - x };
+    ledge: if x > 1 { y } else { 0 };
+    gap: (x.floor() - 2) * y;
+    raised: if x > 1 { y } else { 7 };
     tabulated: y + table(x, [0, 1, 2, 3], [0.3, 0.1, 0.2, 0.5]);
     often_bent: y + (x - 1).max(0) + (x - 2).max(0) + (x - 3).max(0) + (x - 4).max(0) + (x - 5).max(0)
         + (x - 6).max(0) + (x - 7).max(0);
@@ -68,5 +71,5 @@ fn a_slider_does_not_lock_the_cranks_beside_it() {
             }
         )*};
     }
-    check!(straight curved bent two_rails tabulated often_bent);
+    check!(straight curved bent two_rails ledge gap raised tabulated often_bent);
 }

@@ -164,14 +164,16 @@ fn held(
     all
 }
 
-/// The acceleration of a row per unit of its load, if masses do not couple the coordinates.
+/// The acceleration of a row per unit of its load, if masses do not couple the coordinates; one where
+/// it is trivial.
 fn bound(graph: &mut Graph, matrix: &MassMatrix, row: &ConstraintRow) -> Id {
+    let trivial = row.triviality(graph);
     let alone = row.slopes.iter().enumerate().map(|(freedom, slope)| {
         let square = graph.square(*slope);
         graph.divide(square, matrix.rows[freedom][freedom])
     });
-    let alone: Vec<Id> = alone.collect();
-    graph.sum(&alone)
+    let all: Vec<Id> = alone.chain([trivial]).collect();
+    graph.sum(&all)
 }
 
 /// Eliminates the masses and the rows that are always independent. `None` if masses and these rows

@@ -91,7 +91,7 @@ pub fn equations(
         accelerations,
     }: Following<'_>,
 ) -> Vec<Equation> {
-    let (zero, one, count) = (work.graph.zero(), work.graph.one(), matrix.driving.len());
+    let (zero, count) = (work.graph.zero(), matrix.driving.len());
     let (driving, fed_back) = split(&mut work.graph, &matrix.driving, accelerations);
     let is_fed_back = fed_back
         .iter()
@@ -117,11 +117,7 @@ pub fn equations(
             pushes: pushes.collect(),
             slopes: row.slopes.clone(),
             right: work.graph.negate(row.bias),
-            // where the constraint is trivial, its load is zero
-            own: row
-                .activity
-                .condition
-                .map_or(zero, |active| work.graph.select(active, zero, one)),
+            own: row.triviality(&mut work.graph),
         }
     });
     let rows: Vec<LoadedRow> = rows.collect();

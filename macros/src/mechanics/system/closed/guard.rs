@@ -50,7 +50,7 @@ impl Closeness {
                 let turning = row.slopes.iter().zip(is_turning);
                 let turning = turning.filter(|(_, is_turning)| **is_turning);
                 sizes.extend(turning.map(|(slope, _)| graph.square(*slope)));
-                if let Some(value) = row.value {
+                if let Some(value) = row.gap(graph) {
                     values.push(graph.square(value));
                     let terms: Vec<(bool, Id)> = graph.terms(value);
                     sizes.extend(terms.into_iter().map(|(_, term)| graph.square(term)));

@@ -9,13 +9,13 @@ use super::super::constraints::Ends;
 use super::super::plane::{Absolute, Arms, derive_masses, of_hinge, of_row, shortest};
 use super::super::reduced::{Balance, LinearRow, Reduced, loads, reduce};
 use super::eliminated::Found;
-use super::rows::{Known, Owner};
+use super::rows::{Known, Owner, follows_unknowns};
 
 /// Solves the rows block by block. `None` if rows are dependent or trivial somewhere, or if loads
 /// depend on those of constraints.
 pub fn in_plane(work: &mut Workspace, known: &Known<'_>) -> Option<Found> {
     let tree = &known.built.tree;
-    if known.is_followed(work, tree) {
+    if known.is_partial() || follows_unknowns(work, tree) {
         return None;
     }
     let absolute = Absolute::of(&mut work.graph, tree, &known.placed);

@@ -37,11 +37,10 @@ pub fn solve_drives(
         }
         sides.push((coefficients, needed));
     }
-    // where a constraint is trivial, its load is zero
     for (number, row) in closed.rows().enumerate() {
-        if let Some(active) = row.activity.condition {
+        if row.activity.condition.is_some() {
             let mut coefficients = vec![zero; open.len() + closed.kept.len()];
-            coefficients[open.len() + number] = work.graph.select(active, zero, one);
+            coefficients[open.len() + number] = row.triviality(&mut work.graph);
             sides.push((coefficients, zero));
         }
     }

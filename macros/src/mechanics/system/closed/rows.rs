@@ -104,20 +104,22 @@ impl<'a> Known<'a> {
             .collect()
     }
 
-    /// Whether rows are trivial somewhere, or loads on this tree depend on unknowns.
-    pub fn is_followed(&self, work: &Workspace, tree: &Tree) -> bool {
-        let links = tree.links.iter();
-        let given = links.flat_map(|link| {
-            let drives = link.freedoms.iter().map(|freedom| freedom.drive);
-            drives.chain(link.force).chain(link.moment)
-        });
-        let given: Vec<Id> = given.collect();
-        let is_partial = self
-            .kept
-            .iter()
-            .any(|(_, row)| row.activity.condition.is_some());
-        is_partial || !unknowns_in(work, &given).is_empty()
+    /// Whether some rows are trivial somewhere.
+    pub fn is_partial(&self) -> bool {
+        let mut rows = self.kept.iter();
+        rows.any(|(_, row)| row.activity.condition.is_some())
     }
+}
+
+/// Whether loads on a tree depend on unknowns.
+pub fn follows_unknowns(work: &Workspace, tree: &Tree) -> bool {
+    let links = tree.links.iter();
+    let given = links.flat_map(|link| {
+        let drives = link.freedoms.iter().map(|freedom| freedom.drive);
+        drives.chain(link.force).chain(link.moment)
+    });
+    let given: Vec<Id> = given.collect();
+    !unknowns_in(work, &given).is_empty()
 }
 
 impl Owner {

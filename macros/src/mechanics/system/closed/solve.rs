@@ -15,7 +15,7 @@ use super::eliminated::{Following, Found, eliminated};
 use super::groups::{full, groups};
 use super::in_plane::in_plane;
 use super::rank::{Coordinates, Rank, rank};
-use super::rows::{Known, Owner};
+use super::rows::{Known, Owner, follows_unknowns};
 use super::undetermined::{Spare, Undetermined, bare};
 
 /// The constraints of such a system, and their loads.
@@ -118,7 +118,7 @@ fn found(
     (known, coordinates): (&Known<'_>, &Coordinates),
     (matrix, accelerations): (&MassMatrix, &[Id]),
 ) -> Found {
-    let rank = if known.is_followed(work, &known.in_world) {
+    let rank = if follows_unknowns(work, &known.in_world) {
         Rank::default()
     } else {
         let rows = known.kept.iter().map(|(_, row)| row.clone());

@@ -2,7 +2,7 @@
 
 use crate::mechanics::unknowns::Activity;
 use crate::model::Labels;
-use crate::symbolic::Id;
+use crate::symbolic::{Graph, Id};
 
 /// A constraint in the form that the equations need.
 #[derive(Clone)]
@@ -23,6 +23,21 @@ pub struct ConstraintRow {
 }
 
 impl ConstraintRow {
+    /// One where it is trivial, and zero elsewhere. With this factor of its load in its equation, the
+    /// load is zero where it is trivial.
+    pub fn triviality(&self, graph: &mut Graph) -> Id {
+        let (zero, one) = (graph.zero(), graph.one());
+        let active = self.activity.condition;
+        active.map_or(zero, |active| graph.select(active, zero, one))
+    }
+
+    /// Its value; zero where it is trivial.
+    pub fn gap(&self, graph: &mut Graph) -> Option<Id> {
+        let (value, zero) = (self.value?, graph.zero());
+        let active = self.activity.condition;
+        Some(active.map_or(value, |active| graph.select(active, value, zero)))
+    }
+
     /// What shows where it holds, and on what it depends.
     pub fn parts(&self) -> impl Iterator<Item = Id> {
         let places = self.value.into_iter().chain(self.facing);

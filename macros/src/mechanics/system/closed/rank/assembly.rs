@@ -212,7 +212,7 @@ impl<'a> Assembly<'a> {
                 .zip(&sizes)
                 .map(|(slope, size)| slope / size)
                 .collect();
-            let weight = 1.0 / squares(&row);
+            let weight = 1.0 / squares(&row).max(f64::MIN_POSITIVE);
             for (own, slope) in row.iter().enumerate() {
                 for (other, factor) in row.iter().enumerate() {
                     all[own][other] += weight * slope * factor;
@@ -299,10 +299,11 @@ impl<'a> Assembly<'a> {
     /// Finds a nearby closed state by damped Newton steps, and returns the displacement of each
     /// coordinate.
     fn close(&self, values: &mut Values) -> Option<Vec<f64>> {
-        let held: Vec<usize> = (0..self.rows.len())
-            .filter(|row| self.rows[*row].value.is_some())
-            .collect();
-        let roots: Vec<Id> = self.rows.iter().filter_map(|row| row.value).collect();
+        // nothing closes what is constant
+        let is_held = |row: &usize| self.terms[*row].iter().any(|term| *term > 0.0);
+        let held = (0..self.rows.len()).filter(is_held);
+        let held = held.filter_map(|row| Some((row, self.rows[row].value?)));
+        let (held, roots): (Vec<usize>, Vec<Id>) = held.unzip();
         let mut all = vec![0.0; self.rates.len()];
         let mut damping = 1e-3;
         let mut errors = self.evaluate(&roots, values);

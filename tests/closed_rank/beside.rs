@@ -5,6 +5,7 @@ use newton_euler::prelude::*;
 /// Three parallel cranks under a bar, and a slider with a constraint of its own.
 macro_rules! cranks {
     ($($name:ident: $constraint:expr;)*) => {$(
+        #[allow(unused_variables, reason = "a constraint reads some of the locals")]
         mod $name {
             newton_euler::rigid_system!(Beside {
                 motion: planar,
@@ -27,6 +28,8 @@ macro_rules! cranks {
                 locals: [
                     x = slider.position.in_world().x / 1[m],
                     y = slider.position.in_world().y / 1[m],
+                    angle = a.angle / 1[rad],
+                    time = t / 1[s],
                 ],
                 fields: [weight = mass * world(1[m / s ^ 2], -9.8[m / s ^ 2])],
                 constraints: [rail = $constraint],
@@ -43,6 +46,9 @@ cranks! {
     ledge: if x > 1 { y } else { 0 };
     gap: (x.floor() - 2) * y;
     raised: if x > 1 { y } else { 7 };
+    shared: y + angle + 0.1 * x;
+    driven: angle - 0.3 * time;
+    driven_by_two: angle + y - 0.3 * time;
     tabulated: y + table(x, [0, 1, 2, 3], [0.3, 0.1, 0.2, 0.5]);
     often_bent: y + (x - 1).max(0) + (x - 2).max(0) + (x - 3).max(0) + (x - 4).max(0) + (x - 5).max(0)
         + (x - 6).max(0) + (x - 7).max(0);
@@ -72,4 +78,45 @@ fn a_slider_does_not_lock_the_cranks_beside_it() {
         )*};
     }
     check!(straight curved bent two_rails ledge gap raised tabulated often_bent);
+}
+
+/// The same cranks, with a constraint on their angle, the slider and time: by hand, with its load.
+#[test]
+fn a_slider_and_a_drive_may_share_the_angle_of_the_cranks() {
+    macro_rules! check {
+        ($($name:ident: $gradient:expr;)*) => {$(
+            for (angle, x) in [(0.8_f64, 2.5), (-0.4, 0.5)] {
+                let hinge = |angle, angular_velocity| Hinge { angle, angular_velocity };
+                let crank = hinge(angle, 0.3);
+                let state = $name::BesideState {
+                    a: crank,
+                    b: hinge(-angle, -0.3),
+                    c: crank,
+                    d: crank,
+                    base: PlanarTranslation { position: [x, 0.0].into(), ..Default::default() },
+                };
+                let motion = $name::Beside::default().acceleration(angle / 0.3, &state, &());
+                let push = 2.0 * (-angle.sin() - 9.8 * angle.cos());
+                let (loads, masses) = ([push, 1.0, -9.8], [3.0 * 0.1 + 2.0, 1.0, 1.0]);
+                let inner = |factors: [f64; 3]| (0..3).map(|own| $gradient[own] * factors[own] / masses[own]).sum::<f64>();
+                let load = -inner(loads) / inner($gradient);
+                let expected = |own: usize| (loads[own] + load * $gradient[own]) / masses[own];
+                for (found, expected) in [
+                    (motion.a, expected(0)),
+                    (motion.b, -expected(0)),
+                    (motion.c, expected(0)),
+                    (motion.d, expected(0)),
+                    (motion.base.x, expected(1)),
+                    (motion.base.y, expected(2)),
+                ] {
+                    assert!((found - expected).abs() < 1e-11, "{} {motion:?} {expected}", stringify!($name));
+                }
+            }
+        )*};
+    }
+    check! {
+        shared: [1.0, 0.1, 1.0];
+        driven: [1.0, 0.0, 0.0];
+        driven_by_two: [1.0, 0.0, 1.0];
+    }
 }

@@ -165,8 +165,9 @@ fn where_closed(
     rank: &Rank,
 ) -> Option<Found> {
     let (anywhere, closed) = (rank.anywhere.as_ref()?, rank.closed.as_ref()?);
-    let mut all = known.kept.iter().zip(anywhere);
-    let is_redundant = all.any(|((owner, _), is_new)| owner.number().is_some() && !is_new);
+    let is_needed = anywhere.iter().zip(closed).map(|(a, b)| *a || *b);
+    let mut all = known.kept.iter().zip(is_needed);
+    let is_redundant = all.any(|((owner, _), is_needed)| owner.number().is_some() && !is_needed);
     let count = |rows: &[bool]| rows.iter().filter(|is_new| **is_new).count();
     let most = if is_redundant {
         count(anywhere)

@@ -176,9 +176,9 @@ impl<'a> Assembly<'a> {
             let moves = self.moves(part, values, random)?;
             Some((moves, &*found, &*values))
         });
-        let able: Vec<(bool, &Vec<bool>, &Values)> = able.collect();
+        let able: Vec<(usize, &Vec<bool>, &Values)> = able.collect();
         // folded states have fewer independent rows, but the generic closed state is wanted; rows
-        // that hold all in place may be those of another assembly, which does not move
+        // that hold more in place may be those of another assembly, which does not move
         let best = able.iter();
         let best = best.max_by_key(|(moves, found, _)| (*moves, part.count(found)));
         let (_, best, values) = best?;
@@ -348,9 +348,9 @@ impl<'a> Assembly<'a> {
         moved
     }
 
-    /// Whether a part can move on to a state with equally many independent rows, or all that its
-    /// rows hold is held in place. `None` if it is neither.
-    fn moves(&self, part: &Part, values: &Values, random: &mut Random) -> Option<bool> {
+    /// The number of coordinates of a part that change as it moves on to a state with equally many
+    /// independent rows; none if its rows hold all of them in place. `None` if it is neither.
+    fn moves(&self, part: &Part, values: &Values, random: &mut Random) -> Option<usize> {
         let slopes = self.rounded_slopes(values);
         let mut span = Span::default();
         for row in &part.rows {
@@ -359,14 +359,15 @@ impl<'a> Assembly<'a> {
         let held = part.held.iter();
         let way = held.map(|is_held| if *is_held { random.number() } else { 0.0 });
         let Some(way) = span.left(way.collect()) else {
-            return (span.rank() == count(&part.held)).then_some(false);
+            return (span.rank() == count(&part.held)).then_some(0);
         };
+        let moving = way.iter().filter(|part| part.abs() > NOTHING).count();
         let step: Vec<f64> = way.iter().map(|part| MOVED * part).collect();
         let mut moved = self.moved(values, &step);
         let back = self.close(&mut moved)?;
         let back: f64 = back.iter().zip(&way).map(|(a, b)| a * b).sum();
         let ranks = [values, &moved].map(|values| part.count(&self.independent_at(values)));
-        (back > -0.5 * MOVED && ranks[0] == ranks[1]).then_some(true)
+        (back > -0.5 * MOVED && ranks[0] == ranks[1]).then_some(moving)
     }
 }
 

@@ -335,3 +335,27 @@ fn a_field_has_its_force_where_g_does_not_move() {
     assert_eq!(electric.force, Vector3::new(0.0, 6.0, 0.0));
     assert!((electric.moment - Vector3::new(0.0, 0.0, 0.6)).norm() < 1e-15);
 }
+
+mod parallel {
+    newton_euler::rigid_body!(Slide {
+        doc: "In axes that never rotate, a field may be written in those of the body.",
+        motion: planar_translation,
+        mass: 2[kg],
+        points: [g = (0, 0)],
+        fields: [electric = body(1, 3)[V / m].on([0.5[C].at(g), 0.2[C].at(g)])],
+        outputs: [energy],
+    });
+}
+
+#[test]
+fn axes_that_never_rotate_are_those_of_the_world() {
+    let state = PlanarTranslation {
+        position: [1.0, 2.0].into(),
+        ..Default::default()
+    };
+    let slide = parallel::Slide::default();
+    let motion = slide.acceleration(0.0, &state, &());
+    assert!((motion - Vector2::new(0.35, 1.05)).amax() < 1e-15);
+    let energy = slide.potential_energy(0.0, &state, &());
+    assert!((energy + 0.7 * (1.0 + 3.0 * 2.0)).abs() < 1e-14, "{energy}");
+}

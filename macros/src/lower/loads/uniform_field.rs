@@ -5,7 +5,7 @@
 
 use crate::errors::{Extent, every};
 use crate::lower::expressions::{Lowering, Value, dimension};
-use crate::model::{Charges, Dimension, Frame, Vector};
+use crate::model::{Charges, Dimension, Vector};
 use crate::symbolic::{Components, Graph, Id};
 use crate::syntax::{Charge, Expression, Load};
 
@@ -70,12 +70,12 @@ impl Lowering<'_> {
                 format!("a field is a vector, and this is {}", value.kind()),
             );
         };
-        if !self.work.is_in(vector, Frame::WORLD) {
+        let Some(vector) = self.work.in_parallel_axes(vector) else {
             return self.report(
                 written.extent,
                 "a uniform field does not turn with the body: write it in world axes",
             );
-        }
+        };
         self.check_same_everywhere(written, &self.work.entries(&[vector]), "a uniform field")?;
         Some((vector, dimension))
     }

@@ -66,6 +66,18 @@ impl Workspace {
         coordinates
     }
 
+    /// The same in world axes, if it is written in axes that never rotate.
+    pub fn in_parallel_axes(&mut self, a: Vector) -> Option<Vector> {
+        if !self.turning(a).is_empty() {
+            return None;
+        }
+        let (zeros, parts) = (self.graph.zeros(), self.parts(a).to_vec());
+        let sum =
+            |sum: Components, (_, part): &(Frame, Components)| self.graph.add_vectors(sum, *part);
+        let components = parts.iter().fold(zeros, sum);
+        Some(self.vector(Frame::WORLD, components))
+    }
+
     /// The vector with each part changed in its own axes.
     pub fn map(
         &mut self,

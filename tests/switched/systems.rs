@@ -32,6 +32,7 @@ blocks! {
     ledge: if block.position.in_world().x > 1[m] { y } else { 7[m] };
     gap: ((block.position.in_world().x / 1[m]).floor() - 1) * y;
     doubled: (2 * (block.position.in_world().x / 1[m]).floor() - 2) * y;
+    squared: ((block.position.in_world().x / 1[m]).floor().powi(2) - 1) * y;
 }
 
 #[test]
@@ -62,7 +63,8 @@ fn a_floor_holds_where_it_is() {
         grid: [(0.5, -0.5, false), (1.5, 0.5, true), (1.5, 2.0, false)];
         ledge: [(0.0, 0.0, false), (2.0, 0.0, true)];
         gap: [(0.5, 0.0, true), (1.0, 0.0, false), (1.5, 0.5, false), (2.0, 0.0, true)];
-        doubled: [(0.5, 0.0, true), (2.5, 0.5, true)];
+        doubled: [(0.5, 0.0, true), (1.5, 0.5, false), (2.5, 0.5, true)];
+        squared: [(0.5, 0.0, true), (2.5, 0.5, true)];
     }
 }
 
@@ -73,7 +75,7 @@ fn what_a_step_leaves_open_is_nan() {
         position: [1.5, 0.0].into(),
         ..Default::default()
     };
-    let (system, state) = (doubled::Held::default(), doubled::HeldState { base });
+    let (system, state) = (squared::Held::default(), squared::HeldState { base });
     assert!(system.acceleration(0.0, &state, &()).base.y.is_nan());
     let message = system.integrate(&state).to(1.0).unwrap_err().to_string();
     assert!(message.contains("`floor`"), "{message}");

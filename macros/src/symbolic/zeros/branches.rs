@@ -100,6 +100,10 @@ impl Graph {
     pub fn in_pieces(&mut self, roots: &[Id]) -> Vec<Id> {
         let steps = self.steps(roots);
         self.rebuild(roots, |graph, id, image| {
+            // conditions stay as they are, and so does what they read
+            if matches!(graph.node(id), Node::Compare(..)) {
+                return id;
+            }
             let whole = graph.remake(id, image);
             let zero = graph.zero();
             match *graph.node(whole) {
@@ -127,26 +131,43 @@ impl Graph {
         })
     }
 
-    /// Each `floor` and `ceil` in `roots`, with the numbers whose difference or sum with it is zero on
-    /// one step.
+    /// Each `floor` and `ceil` in `roots`, with the numbers whose difference or sum with a multiple of it
+    /// is zero on one step.
     fn steps(&mut self, roots: &[Id]) -> Vec<(Id, Id)> {
         let mut steps = Vec::new();
         for id in self.nodes_of(roots) {
-            let (a, b, is_sum) = match *self.node(id) {
-                Node::Add(a, b) => (a, b, true),
-                Node::Subtract(a, b) | Node::Compare(_, a, b) => (a, b, false),
+            let (a, b, sign) = match *self.node(id) {
+                Node::Add(a, b) => (a, b, -1),
+                Node::Subtract(a, b) | Node::Compare(_, a, b) => (a, b, 1),
                 _ => continue,
             };
-            for (step, number) in [(a, b), (b, a)] {
-                let is_step =
-                    |node: &Node| matches!(node, Node::Unary(Function::Floor | Function::Ceil, _));
-                if is_step(self.node(step)) && self.as_number(number).is_some() {
-                    let value = if is_sum { self.negate(number) } else { number };
-                    steps.push((step, value));
+            for (multiple, number) in [(a, b), (b, a)] {
+                let number = self.as_number(number).cloned();
+                if let (Some((step, factor)), Some(number)) = (self.step(multiple), number) {
+                    let value = (Number::integer(sign) * number).checked_div(&factor);
+                    let value = value.and_then(|value| value.to_integer());
+                    steps.extend(value.map(|value| (step, self.integer(value))));
                 }
             }
         }
         steps
+    }
+
+    /// A `floor` or `ceil`, and the number by which it is multiplied.
+    fn step(&self, multiple: Id) -> Option<(Id, Number)> {
+        match *self.node(multiple) {
+            Node::Unary(Function::Floor | Function::Ceil, _) => Some((multiple, Number::one())),
+            Node::Quantity(a) => self.step(a),
+            Node::Negate(a) => self.step(a).map(|(step, factor)| (step, -factor)),
+            Node::Multiply(a, b) => {
+                let number = |id: Id| self.as_number(id).cloned();
+                let (number, a) = number(a)
+                    .map(|number| (number, b))
+                    .or(number(b).map(|number| (number, a)))?;
+                self.step(a).map(|(step, factor)| (step, factor * number))
+            }
+            _ => None,
+        }
     }
 
     /// Whether some functions in `roots` are made of pieces.

@@ -29,6 +29,7 @@ macro_rules! cranks {
                     x = slider.position.in_world().x / 1[m],
                     y = slider.position.in_world().y / 1[m],
                     angle = a.angle / 1[rad],
+                    rate = a.angular_velocity / 1[rad / s],
                     time = t / 1[s],
                 ],
                 fields: [weight = mass * world(1[m / s ^ 2], -9.8[m / s ^ 2])],
@@ -46,6 +47,13 @@ cranks! {
     ledge: if x > 1 { y } else { 0 };
     gap: (x.floor() - 2) * y;
     raised: if x > 1 { y } else { 7 };
+    weak: y * (1 + x * x);
+    product: y * (x - 3);
+    soft: y / (1 + (-x).exp());
+    clipped: (x + 0.4).max(0) * y;
+    driven_elsewhere: if x > 9 { rate - 0.3 } else { 0 };
+    driven_rate: rate - 0.3;
+    driven_here: if x > 0 { rate - 0.3 } else { 0 };
     shared: y + angle + 0.1 * x;
     driven: angle - 0.3 * time;
     driven_by_two: angle + y - 0.3 * time;
@@ -78,6 +86,7 @@ fn a_slider_does_not_lock_the_cranks_beside_it() {
         )*};
     }
     check!(straight curved bent two_rails ledge gap raised tabulated often_bent);
+    check!(weak product soft clipped driven_elsewhere);
 }
 
 /// The same cranks, with a constraint on their angle, the slider and time: by hand, with its load.
@@ -117,6 +126,8 @@ fn a_slider_and_a_drive_may_share_the_angle_of_the_cranks() {
     check! {
         shared: [1.0, 0.1, 1.0];
         driven: [1.0, 0.0, 0.0];
+        driven_rate: [1.0, 0.0, 0.0];
+        driven_here: [1.0, 0.0, 0.0];
         driven_by_two: [1.0, 0.0, 1.0];
     }
 }

@@ -6,6 +6,7 @@ mod carried;
 mod change_points;
 mod cranks;
 mod doors;
+mod factors;
 mod pins;
 mod projection;
 mod space;

@@ -2,7 +2,7 @@
 //! state from a closed one.
 
 use crate::model::Labels;
-use crate::symbolic::{Graph, Id, Number};
+use crate::symbolic::{Function, Graph, Id, Number};
 
 use super::super::constraints::ConstraintRow;
 use super::rows::Owner;
@@ -14,6 +14,9 @@ const ROUNDING: f64 = 1e-12;
 const REACH: i64 = 1 << 10;
 /// The size of a joint is at least this fraction of that of all: the rest of it is rounding.
 const SMALL: f64 = 1e-3;
+/// A row may not be off by more than this fraction of its terms, however far the state is from a
+/// closed one.
+const MOST: f64 = 0.03;
 /// The remainder that is allowed where nothing moves: [m/s^2] or [rad/s^2].
 const NOTHING: f64 = 1e-30;
 
@@ -46,15 +49,21 @@ impl Closeness {
             rest = others;
             let (mut values, mut fast, mut sizes) = (Vec::new(), Vec::new(), Vec::new());
             for (_, row) in group {
-                fast.push(graph.square(row.rate));
                 let turning = row.slopes.iter().zip(is_turning);
                 let turning = turning.filter(|(_, is_turning)| **is_turning);
-                sizes.extend(turning.map(|(slope, _)| graph.square(*slope)));
-                if let Some(value) = row.gap(graph) {
-                    values.push(graph.square(value));
-                    let terms: Vec<(bool, Id)> = graph.terms(value);
-                    sizes.extend(terms.into_iter().map(|(_, term)| graph.square(term)));
+                let mut own_sizes: Vec<Id> =
+                    turning.map(|(slope, _)| graph.square(*slope)).collect();
+                let terms: Vec<(bool, Id)> =
+                    row.value.map_or(Vec::new(), |value| graph.terms(value));
+                own_sizes.extend(terms.iter().map(|(_, term)| graph.square(*term)));
+                own_sizes.retain(|size| !graph.is_zero(*size));
+                // one term has no size but that of the gap, however small that is
+                if own.is_none() && own_sizes.len() < 2 && terms.len() < 2 {
+                    continue;
                 }
+                sizes.extend(own_sizes);
+                fast.push(graph.square(row.rate));
+                values.extend(row.gap(graph).map(|value| graph.square(value)));
             }
             let [values, fast, sizes] = [values, fast, sizes].map(|all| graph.sum(&all));
             joints.push((own.map(|(_, is_moment)| is_moment), [values, fast, sizes]));
@@ -124,8 +133,11 @@ pub fn guard(
     let fast = graph.sum(&fast);
     let fast = graph.multiply(fast, closeness.rate);
     allowed.push(graph.multiply(reach, fast));
-    allowed.push(number(graph, NOTHING * NOTHING));
-    let allowed = graph.sum(&allowed);
+    let (allowed, most) = (graph.sum(&allowed), number(graph, MOST * MOST));
+    let most = graph.multiply(most, terms);
+    let allowed = graph.apply(Function::Min, &[allowed, most]);
+    let nothing = number(graph, NOTHING * NOTHING);
+    let allowed = graph.add(allowed, nothing);
     // any positive divisor will do; a rounding error would have no derivatives
     let one = graph.one();
     let divisor = graph.add(one, size);

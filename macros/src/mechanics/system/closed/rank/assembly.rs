@@ -9,7 +9,7 @@ use crate::mechanics::tree::MassMatrix;
 use crate::model::{System, TreeJoint, Variable, Workspace};
 use crate::symbolic::{Coordinate, Id};
 
-use super::numbers::{Random, Span, is_positive, solve};
+use super::numbers::{Random, Span, bounded, is_positive, solve, squares};
 use super::part::Part;
 
 /// The number of initial states, and the most steps from each.
@@ -305,12 +305,15 @@ impl<'a> Assembly<'a> {
         let held = held.filter_map(|row| Some((row, self.rows[row].value?)));
         let (held, roots): (Vec<usize>, Vec<Id>) = held.unzip();
         let mut all = vec![0.0; self.rates.len()];
+        let diagonal: Vec<f64> = (0..all.len())
+            .map(|own| self.size_along(&held, own))
+            .collect();
         let mut damping = 1e-3;
         let mut errors = self.evaluate(&roots, values);
         for _ in 0..STEPS {
             let slopes = self.slopes(values);
             let slopes: Vec<Vec<f64>> = held.iter().map(|row| slopes[*row].clone()).collect();
-            let step = bounded(solve(&slopes, &errors, damping), &errors);
+            let step = bounded(solve(&slopes, &errors, (damping, &diagonal)), &errors);
             let moved = self.moved(values, &step);
             let next = self.evaluate(&roots, &moved);
             if squares(&next) < squares(&errors) {
@@ -330,6 +333,13 @@ impl<'a> Assembly<'a> {
         let cosines = self.evaluate(&facing, values);
         let is_meant = cosines.into_iter().all(|cosine| cosine > 0.5);
         (is_closed && is_meant).then_some(all)
+    }
+
+    /// The squares of the terms of rows along a coordinate; one if there are none.
+    fn size_along(&self, rows: &[usize], coordinate: usize) -> f64 {
+        let terms = rows.iter().map(|row| self.terms[*row][coordinate]);
+        let size = squares(&terms.collect::<Vec<f64>>());
+        if size > 0.0 { size } else { 1.0 }
     }
 
     /// The state with its coordinates changed by these amounts.
@@ -373,18 +383,6 @@ impl<'a> Assembly<'a> {
 
 fn count(found: &[bool]) -> usize {
     found.iter().filter(|is_new| **is_new).count()
-}
-
-/// A step of Newton's method, no longer than one and the errors. A longer one leads to distant
-/// states, where moments are so much larger than forces that these are taken for nothing.
-fn bounded(step: Vec<f64>, errors: &[f64]) -> Vec<f64> {
-    let largest = |all: &[f64]| all.iter().fold(0.0, |most, one| f64::max(most, one.abs()));
-    let share = (1.0 + largest(errors)) / largest(&step).max(f64::MIN_POSITIVE);
-    step.into_iter().map(|part| part * share.min(1.0)).collect()
-}
-
-fn squares(all: &[f64]) -> f64 {
-    all.iter().map(|one| one * one).sum()
 }
 
 /// The size of the largest row.

@@ -64,9 +64,9 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Solves `(A^T A + damping D) x = -A^T e`, where D is diagonal and of the size of the diagonal of
-/// `A^T A`.
-pub fn solve(rows: &[Vec<f64>], errors: &[f64], damping: f64) -> Vec<f64> {
+/// Solves `(A^T A + damping D) x = -A^T e`, where D is diagonal and positive. If D were of the size of
+/// `A^T A`, both factors of a product would become zero together, instead of the nearer one.
+pub fn solve(rows: &[Vec<f64>], errors: &[f64], (damping, diagonal): (f64, &[f64])) -> Vec<f64> {
     let count = rows.first().map_or(0, Vec::len);
     let column = |own: usize| rows.iter().map(move |row| row[own]);
     let product = |a: usize, b: usize| column(a).zip(column(b)).map(|(a, b)| a * b).sum::<f64>();
@@ -78,8 +78,7 @@ pub fn solve(rows: &[Vec<f64>], errors: &[f64], damping: f64) -> Vec<f64> {
         })
         .collect();
     for (own, row) in matrix.iter_mut().enumerate() {
-        let share = damping.max(1e-12) * row[own];
-        row[own] += if row[own] == 0.0 { 1.0 } else { share };
+        row[own] += damping.max(1e-12) * diagonal[own];
     }
     for pivot in 0..count {
         let known = matrix[pivot].clone();
@@ -114,4 +113,16 @@ pub fn is_positive(mut matrix: Vec<Vec<f64>>) -> bool {
         }
     }
     true
+}
+
+/// A step of Newton's method, no longer than one and the errors. A longer one leads to distant
+/// states, where moments are so much larger than forces that these are taken for nothing.
+pub fn bounded(step: Vec<f64>, errors: &[f64]) -> Vec<f64> {
+    let largest = |all: &[f64]| all.iter().fold(0.0, |most, one| f64::max(most, one.abs()));
+    let share = (1.0 + largest(errors)) / largest(&step).max(f64::MIN_POSITIVE);
+    step.into_iter().map(|part| part * share.min(1.0)).collect()
+}
+
+pub fn squares(all: &[f64]) -> f64 {
+    all.iter().map(|one| one * one).sum()
 }

@@ -7,6 +7,8 @@ macro_rules! cranks {
     ($($name:ident: $constraint:expr;)*) => {$(
         #[allow(unused_variables, reason = "a constraint reads some of the locals")]
         mod $name {
+            use super::{Hinge, PlanarTranslation};
+
             newton_euler::rigid_system!(Beside {
                 motion: planar,
                 bodies: [
@@ -35,6 +37,17 @@ macro_rules! cranks {
                 fields: [weight = mass * world(1[m / s ^ 2], -9.8[m / s ^ 2])],
                 constraints: [rail = $constraint],
             });
+
+            pub fn state(angle: f64, angular_velocity: f64, x: f64) -> BesideState {
+                let crank = Hinge { angle, angular_velocity };
+                BesideState {
+                    a: crank,
+                    b: Hinge { angle: -angle, angular_velocity: -angular_velocity },
+                    c: crank,
+                    d: crank,
+                    base: PlanarTranslation { position: [x, 0.0].into(), ..Default::default() },
+                }
+            }
         }
     )*};
 }
@@ -68,15 +81,7 @@ fn a_slider_does_not_lock_the_cranks_beside_it() {
     macro_rules! check {
         ($($name:ident)*) => {$(
             for (angle, x) in [(0.8_f64, 2.5), (-0.4, 0.5)] {
-                let hinge = |angle, angular_velocity| Hinge { angle, angular_velocity };
-                let crank = hinge(angle, 0.7);
-                let state = $name::BesideState {
-                    a: crank,
-                    b: hinge(-angle, -0.7),
-                    c: crank,
-                    d: crank,
-                    base: PlanarTranslation { position: [x, 0.0].into(), ..Default::default() },
-                };
+                let state = $name::state(angle, 0.7, x);
                 let motion = $name::Beside::default().acceleration(0.0, &state, &());
                 let expected = 2.0 * (-angle.sin() - 9.8 * angle.cos()) / (3.0 * 0.1 + 2.0);
                 for (found, sign) in [(motion.a, 1.0), (motion.b, -1.0), (motion.c, 1.0), (motion.d, 1.0)] {
@@ -95,15 +100,7 @@ fn a_slider_and_a_drive_may_share_the_angle_of_the_cranks() {
     macro_rules! check {
         ($($name:ident: $gradient:expr;)*) => {$(
             for (angle, x) in [(0.8_f64, 2.5), (-0.4, 0.5)] {
-                let hinge = |angle, angular_velocity| Hinge { angle, angular_velocity };
-                let crank = hinge(angle, 0.3);
-                let state = $name::BesideState {
-                    a: crank,
-                    b: hinge(-angle, -0.3),
-                    c: crank,
-                    d: crank,
-                    base: PlanarTranslation { position: [x, 0.0].into(), ..Default::default() },
-                };
+                let state = $name::state(angle, 0.3, x);
                 let motion = $name::Beside::default().acceleration(angle / 0.3, &state, &());
                 let push = 2.0 * (-angle.sin() - 9.8 * angle.cos());
                 let (loads, masses) = ([push, 1.0, -9.8], [3.0 * 0.1 + 2.0, 1.0, 1.0]);

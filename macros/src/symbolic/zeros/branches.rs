@@ -160,11 +160,12 @@ impl Graph {
             Node::Quantity(a) => self.step(a),
             Node::Negate(a) => self.step(a).map(|(step, factor)| (step, -factor)),
             Node::Multiply(a, b) => {
-                let number = |id: Id| self.as_number(id).cloned();
-                let (number, a) = number(a)
-                    .map(|number| (number, b))
-                    .or(number(b).map(|number| (number, a)))?;
-                self.step(a).map(|(step, factor)| (step, factor * number))
+                let (number, other) = match self.as_number(a) {
+                    Some(number) => (number, b),
+                    None => (self.as_number(b)?, a),
+                };
+                let (step, factor) = self.step(other)?;
+                Some((step, factor * number.clone()))
             }
             _ => None,
         }

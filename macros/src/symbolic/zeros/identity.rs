@@ -20,7 +20,7 @@ use crate::symbolic::number::{Foreign, Function, Number, Residue};
 /// Residues on one branch; `None` stands for a quotient by zero.
 pub struct Residues<'a> {
     side: &'a mut dyn FnMut(Side) -> Option<bool>,
-    /// The number of the values that functions made of pieces have.
+    /// Selects the random values of functions that are made of pieces.
     pub pieces: u8,
 }
 

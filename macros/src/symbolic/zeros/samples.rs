@@ -95,7 +95,7 @@ impl Graph {
         !sample.as_ref().is_some_and(is_nonzero) || sample != other
     }
 
-    /// The sums, for these values of functions that are made of pieces.
+    /// The sums, with one of several sets of values of functions that are made of pieces.
     fn sums_with(
         &self,
         pieces: u8,

@@ -58,7 +58,7 @@ impl Closeness {
                 own_sizes.extend(terms.iter().map(|(_, term)| graph.square(*term)));
                 own_sizes.retain(|size| !graph.is_zero(*size));
                 // one term has no size but that of the gap, however small that is
-                if own.is_none() && own_sizes.len() < 2 && terms.len() < 2 {
+                if own.is_none() && own_sizes.len() < 2 {
                     continue;
                 }
                 sizes.extend(own_sizes);

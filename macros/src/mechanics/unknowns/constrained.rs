@@ -6,7 +6,7 @@ use proc_macro2::Ident;
 use crate::mechanics::proofs::all_vanish;
 use crate::mechanics::variation::{Rates, rates};
 use crate::model::{Level, Meaning, Model, Variable, Workspace};
-use crate::symbolic::Id;
+use crate::symbolic::{Graph, Id, Node};
 
 /// The most conditions that are decided, one inside the other or side by side: eight that have nothing
 /// to do with each other.
@@ -61,6 +61,14 @@ pub struct Activity {
     pub is_lost: bool,
 }
 
+impl Activity {
+    /// Whether the constraint is trivial everywhere.
+    pub fn is_nowhere(&self, graph: &Graph) -> bool {
+        let condition = self.condition.map(|condition| graph.node(condition));
+        matches!(condition, Some(Node::Truth(false)))
+    }
+}
+
 /// Where a constraint with this gradient is not trivial. Its rate is that of a position, and its
 /// drift is the derivative of a velocity without accelerations.
 pub fn activity(
@@ -71,7 +79,11 @@ pub fn activity(
 ) -> Activity {
     let pieces = work.graph.in_pieces(gradient);
     if work.graph.outermost_condition(&pieces).is_none() {
-        return Activity::default();
+        let is_nowhere = pieces != gradient && all_vanish(work, &pieces);
+        return Activity {
+            condition: is_nowhere.then(|| work.graph.truth(false)),
+            is_lost: false,
+        };
     }
     // where the gradient is zero, so is what velocities change
     let change = match level {

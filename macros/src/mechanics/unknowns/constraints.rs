@@ -19,7 +19,8 @@ use crate::symbolic::{Components, Function, Id, Residue, Sample, Size};
 
 use super::constrained::{Constrained, activity, differentiate};
 use super::constraint_checks::{
-    check_independent, check_kept, check_misplaced, check_smooth, lost, smooth_support, turned,
+    check_independent, check_kept, check_misplaced, check_smooth, lost, smooth_support, trivial,
+    turned,
 };
 use super::inertial::{balances_of, inertial_change};
 use super::left_over::balances_left;
@@ -66,16 +67,21 @@ pub fn derive_constrained(
     let left = rows_left(model, work, &pushes, &loads, free, errors)?;
     rows.extend(left.iter().map(|(_, row)| row.clone()));
     let mut system = equations(work, rows);
+    let mut all_act = Some(());
     for (equation, constraint) in system.iter_mut().zip(&constraints) {
         let Rates { rate, factors } = &constraint.rates;
         let (level, changes) = (constraint.level(), [constraint.velocity, *rate]);
         let activity = activity(work, &factors.entries(), level, changes);
         if activity.is_lost {
             errors.push(constraint.place.span(), lost(&constraint.name, level));
+        } else if activity.is_nowhere(&work.graph) {
+            errors.push(constraint.place.span(), trivial(&constraint.name, level));
+            all_act = None;
         }
         equation.active = activity.condition;
         equation.sizes = sizes(model, work, constraint, &pushes);
     }
+    all_act?;
     let mut elimination = work.graph.solve(system, pushes.len());
     let misplaced = match turned(model, &pushes) {
         Some(_) => Some(()),

@@ -86,9 +86,9 @@ pub enum IntegrationError<S> {
         /// The violation after the jump.
         violated: Inconsistent,
     },
-    /// The constraints do not determine the motion from here on: one depends on the others,
-    /// although not in general. This is a change point of a linkage, or a dead point of a driven
-    /// joint, from which several motions continue, or none.
+    /// The constraints do not determine the motion from here on: one has no gradient, or depends
+    /// on the others, although not in general. This is a change point of a linkage, or a dead
+    /// point of a driven joint, from which several motions continue, or none.
     Undetermined {
         /// \[s\]
         time: f64,
@@ -196,7 +196,7 @@ impl<S> fmt::Display for IntegrationError<S> {
                 time, constraint, ..
             } => write!(
                 f,
-                "after {} s the motion is not determined: `{constraint}` follows from the other constraints there, as at a change point, or at a dead point of a driven joint",
+                "after {} s the motion is not determined: `{constraint}` has no gradient there, or follows from the other constraints, as at a change point, or at a dead point of a driven joint",
                 Number(*time)
             ),
             Self::EventNotANumber { time, .. } => {

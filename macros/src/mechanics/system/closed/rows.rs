@@ -147,7 +147,7 @@ impl Owner {
         let vanishes = |part: Id| work.graph.vanishes(part);
         match self {
             Self::Joint(..) => parts.chain(rest).all(vanishes),
-            Self::Written(_) => parts.all(vanishes),
+            Self::Written(_) => parts.all(vanishes) || row.activity.is_nowhere(&work.graph),
         }
     }
 }

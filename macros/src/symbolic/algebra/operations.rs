@@ -5,6 +5,8 @@
 use crate::symbolic::graph::{Comparison, Id, Node};
 use crate::symbolic::number::{Foreign, Function, Number};
 
+use super::multiples::Multiples;
+
 /// The operations of nodes.
 pub trait Algebra {
     type Value: Clone;
@@ -24,6 +26,14 @@ pub trait Algebra {
     ) -> Self::Value;
     /// Whether a value is certainly zero.
     fn is_zero(&self, a: &Self::Value) -> bool;
+
+    /// Learns the sum that the argument of a function is, if the function turns sums into products.
+    fn know_sum(
+        &mut self,
+        _argument: &Self::Value,
+        _sum: impl FnOnce() -> Option<Multiples<Self::Value>>,
+    ) {
+    }
 
     // conditions: in numbers, one is true and zero is false
 

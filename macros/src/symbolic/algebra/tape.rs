@@ -37,7 +37,16 @@ impl Tape<'_> {
     ) -> Vec<A::Value> {
         let mut values: Vec<A::Value> = Vec::with_capacity(self.order.len());
         for &id in &self.order {
-            let value = match self.graph.node(id) {
+            let node = self.graph.node(id);
+            if let Node::Unary(function, a) = *node
+                && function.makes_products()
+            {
+                algebra.know_sum(self.of(&values, a), || {
+                    let sum = self.graph.multiples(a)?;
+                    Some(sum.map(|id| self.of(&values, id).clone()))
+                });
+            }
+            let value = match node {
                 Node::Symbol(_) => symbol(algebra, id),
                 node => {
                     operations::value(algebra, node, |operand| self.of(&values, operand).clone())

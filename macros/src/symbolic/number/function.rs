@@ -88,6 +88,14 @@ impl Function {
         )
     }
 
+    /// Whether values at sums are known from values at the terms, by products.
+    pub fn makes_products(self) -> bool {
+        matches!(
+            self,
+            Self::Sin | Self::Cos | Self::Tan | Self::Sinh | Self::Cosh | Self::Tanh | Self::Exp
+        )
+    }
+
     /// The number of arguments, including the receiver.
     pub fn arity(self) -> usize {
         match self {

@@ -5,6 +5,8 @@ use crate::symbolic::algebra::{Algebra, Tape};
 use crate::symbolic::graph::Comparison;
 use crate::symbolic::number::{Foreign, Function, Number};
 
+use super::powers::MOST;
+
 /// Bounds of the degrees of numerator and denominator, in symbols and in everything treated as one.
 #[derive(Clone, Copy)]
 pub(in crate::symbolic) struct Degree {
@@ -19,6 +21,12 @@ struct Degrees;
 const UNKNOWN: Degree = Degree {
     above: 2.0,
     below: 2.0,
+};
+
+/// The degree of a function of a sum, by powers of its values at the terms.
+const OF_SUM: Degree = Degree {
+    above: 2.0 * MOST,
+    below: 2.0 * MOST,
 };
 
 /// Expressions that are made from these, such as rates of change and determinants, may have this
@@ -91,6 +99,7 @@ impl Algebra for Degrees {
                 let sum = self.add(a, b);
                 self.multiply(&sum, &UNKNOWN)
             }
+            _ if function.makes_products() => OF_SUM,
             _ => UNKNOWN,
         }
     }

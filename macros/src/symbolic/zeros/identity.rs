@@ -1,8 +1,9 @@
 //! Values modulo a prime: an expression that is zero at a random place is zero identically.
 //!
 //! Symbols have random residues. Values of functions have random residues too, the same for equal
-//! arguments: those of a sine follow from the tangent of half its angle, those of a hyperbolic
-//! function from the exponential of its argument, and any other function has its own. An irrational
+//! arguments. Sines, hyperbolic functions and exponentials of a sum of multiples are products of
+//! powers ([`super::powers`]): sines follow from the tangents of half the angles of its terms, and
+//! hyperbolic functions from exponentials. Any other function has its own values. An irrational
 //! number carries its residue along ([`crate::symbolic::number::irrational`]). A root has both
 //! signs, and a condition both outcomes: each is a separate branch. A root of a root may have no
 //! residue, and is then random too.
@@ -11,41 +12,57 @@
 //! functions with these properties, except with probability `degree / PRIME` (J. Schwartz, Fast
 //! probabilistic algorithms for verification of polynomial identities, J. ACM 27, 1980, 701; R.
 //! Zippel, Probabilistic algorithms for sparse polynomials, EUROSAM 1979). An expression that is
-//! nonzero there may still be zero: `sin 2x - 2 sin x cos x`.
+//! nonzero there may still be zero: `ln x^2 - 2 ln x` for positive x.
 
-use crate::symbolic::algebra::Algebra;
+use std::collections::HashMap;
+
+use crate::symbolic::algebra::{Algebra, Multiples};
 use crate::symbolic::graph::Comparison;
 use crate::symbolic::number::{Foreign, Function, Number, Residue};
+
+use super::powers::Powers;
 
 /// Residues on one branch; `None` stands for a quotient by zero.
 pub struct Residues<'a> {
     side: &'a mut dyn FnMut(Side) -> Option<bool>,
     /// Selects the random values of functions that are made of pieces.
     pub pieces: u8,
+    /// The sums that arguments of functions are.
+    sums: HashMap<Residue, Powers>,
 }
 
 impl<'a> Residues<'a> {
     /// Residues on the branch given by `side`. A choice without an answer becomes a symbol.
     pub(in crate::symbolic) fn new(side: &'a mut dyn FnMut(Side) -> Option<bool>) -> Self {
-        Self { side, pieces: 0 }
+        Self {
+            side,
+            pieces: 0,
+            sums: HashMap::new(),
+        }
     }
 
-    /// A sine, a cosine or a tangent, by the tangent of half the angle.
-    fn on_circle(function: Function, angle: Residue) -> Option<Residue> {
-        let tangent = Self::odd(Function::Tan, angle);
-        let square = tangent * tangent;
-        let (sine, cosine) = (tangent + tangent, Residue::ONE + -square);
-        let (above, below) = match function {
-            Function::Sin => (sine, Residue::ONE + square),
-            Function::Cos => (cosine, Residue::ONE + square),
-            _ => (sine, cosine),
-        };
-        Some(above * below.reciprocal()?)
+    /// The sum that an argument is.
+    fn powers(&self, argument: Residue) -> Powers {
+        let known = self.sums.get(&argument).cloned();
+        let turned = || self.sums.get(&-argument).map(Powers::negated);
+        let powers = known.or_else(turned);
+        powers.unwrap_or_else(|| Powers::single(argument))
+    }
+
+    /// A sine, a cosine or a tangent.
+    fn on_circle(&self, function: Function, angle: Residue) -> Option<Residue> {
+        let half_tangent = |base| Self::odd(Function::Tan, base);
+        let [cosine, sine] = self.powers(angle).on_circle(half_tangent)?;
+        match function {
+            Function::Sin => Some(sine),
+            Function::Cos => Some(cosine),
+            _ => Some(sine * cosine.reciprocal()?),
+        }
     }
 
     /// A hyperbolic function, by the exponential of its argument.
-    fn on_hyperbola(function: Function, a: Residue) -> Option<Residue> {
-        let grown = Self::exponential(a)?;
+    fn on_hyperbola(&self, function: Function, a: Residue) -> Option<Residue> {
+        let grown = self.exponential(a)?;
         let decayed = grown.reciprocal()?;
         let (sinh, cosh) = (grown + -decayed, grown + decayed);
         let below = match function {
@@ -60,15 +77,17 @@ impl<'a> Residues<'a> {
         Some(above * below.reciprocal()?)
     }
 
-    /// `e^-a = 1 / e^a`
-    fn exponential(a: Residue) -> Option<Residue> {
-        let (size, is_turned) = a.unsigned();
-        let grown = Residue::stand_in(&(Function::Exp, size));
-        if is_turned {
-            grown.reciprocal()
-        } else {
-            Some(grown)
-        }
+    /// `e^a`
+    fn exponential(&self, a: Residue) -> Option<Residue> {
+        self.powers(a).exponential(|base| {
+            let (size, is_turned) = base.unsigned();
+            let grown = Residue::stand_in(&(Function::Exp, size));
+            if is_turned {
+                grown.reciprocal()
+            } else {
+                Some(grown)
+            }
+        })
     }
 
     /// `f(-a) = -f(a)`
@@ -154,11 +173,11 @@ impl Algebra for Residues<'_> {
     fn apply(&mut self, function: Function, arguments: &[Option<Residue>]) -> Option<Residue> {
         let arguments: Vec<Residue> = arguments.iter().copied().collect::<Option<_>>()?;
         match (function, arguments.as_slice()) {
-            (Function::Sin | Function::Cos | Function::Tan, [a]) => Self::on_circle(function, *a),
+            (Function::Sin | Function::Cos | Function::Tan, [a]) => self.on_circle(function, *a),
             (Function::Sinh | Function::Cosh | Function::Tanh, [a]) => {
-                Self::on_hyperbola(function, *a)
+                self.on_hyperbola(function, *a)
             }
-            (Function::Exp, [a]) => Self::exponential(*a),
+            (Function::Exp, [a]) => self.exponential(*a),
             (Function::Asin | Function::Atan | Function::Cbrt, [a]) => {
                 Some(Self::odd(function, *a))
             }
@@ -188,6 +207,20 @@ impl Algebra for Residues<'_> {
 
     fn is_zero(&self, a: &Option<Residue>) -> bool {
         *a == Some(Residue::ZERO)
+    }
+
+    fn know_sum(
+        &mut self,
+        argument: &Option<Residue>,
+        sum: impl FnOnce() -> Option<Multiples<Option<Residue>>>,
+    ) {
+        if let Some(argument) = *argument
+            && !self.sums.contains_key(&argument)
+        {
+            let powers = sum().and_then(Powers::of);
+            let powers = powers.unwrap_or_else(|| Powers::single(argument));
+            self.sums.insert(argument, powers);
+        }
     }
 
     fn compare(

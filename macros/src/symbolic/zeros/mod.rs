@@ -3,6 +3,7 @@
 mod branches;
 mod degree;
 mod identity;
+mod powers;
 mod samples;
 
 pub use branches::until_decided;

@@ -1,0 +1,110 @@
+//! Functions that turn sums into products: `e^(a + b) = e^a e^b`, and so with the points of the unit
+//! circle.
+
+use crate::symbolic::algebra::Multiples;
+use crate::symbolic::number::{Function, Number, Residue};
+
+/// The largest sum of exponents. The degree of a function of a sum is no larger than twice this.
+pub(super) const MOST: f64 = 32.0;
+
+/// The largest constant of a sum: e to its power has few digits.
+const LARGEST: f64 = 64.0;
+
+/// A sum, as exponents of values at bases, with what the functions are at its constant.
+#[derive(Clone)]
+pub(super) struct Powers {
+    constant: Number,
+    powers: Vec<(Residue, i32)>,
+}
+
+impl Powers {
+    /// An argument that is no sum: it is twice its half, so that functions of both are known together.
+    pub fn single(argument: Residue) -> Self {
+        Self {
+            constant: Number::zero(),
+            powers: vec![(argument * Number::ratio(1, 2).residue(), 2)],
+        }
+    }
+
+    /// A sum of multiples, and of a constant, which is one of them if it is a fraction; `None` if one
+    /// has no value, or exponents or the constant are large.
+    pub fn of(sum: Multiples<Option<Residue>>) -> Option<Self> {
+        let is_fraction = sum.constant.to_fraction().is_some();
+        let (fraction, constant) = if is_fraction {
+            (sum.constant, Number::zero())
+        } else {
+            (Number::zero(), sum.constant)
+        };
+        let terms = sum.terms.into_iter();
+        let terms = terms.chain([(Some(Residue::ONE), fraction)]);
+        let powers = terms.map(|(value, factor)| power(value?, &factor));
+        let powers: Vec<(Residue, i32)> = powers.collect::<Option<_>>()?;
+        let exponents = powers.iter();
+        let exponents = exponents.map(|(_, exponent)| f64::from(exponent.unsigned_abs()));
+        let is_small = exponents.sum::<f64>() <= MOST && constant.to_f64().abs() <= LARGEST;
+        is_small.then_some(Self { constant, powers })
+    }
+
+    pub fn negated(&self) -> Self {
+        let powers = self.powers.iter();
+        Self {
+            constant: -self.constant.clone(),
+            powers: powers.map(|(base, exponent)| (*base, -exponent)).collect(),
+        }
+    }
+
+    /// The point of the unit circle at this angle: cosine and sine.
+    pub fn on_circle(&self, half_tangent: impl Fn(Residue) -> Residue) -> Option<[Residue; 2]> {
+        let at = |function| {
+            let value = Number::apply(function, std::slice::from_ref(&self.constant));
+            value.map(|value| value.residue())
+        };
+        let mut point = [at(Function::Cos)?, at(Function::Sin)?];
+        for (base, exponent) in &self.powers {
+            let tangent = half_tangent(*base);
+            let square = tangent * tangent;
+            let below = (Residue::ONE + square).reciprocal()?;
+            let cosine = (Residue::ONE + -square) * below;
+            let sine = (tangent + tangent) * below;
+            let sine = if *exponent < 0 { -sine } else { sine };
+            for _ in 0..exponent.unsigned_abs() {
+                let [x, y] = point;
+                point = [x * cosine + -(y * sine), x * sine + y * cosine];
+            }
+        }
+        Some(point)
+    }
+
+    /// e to this power.
+    pub fn exponential(&self, at_base: impl Fn(Residue) -> Option<Residue>) -> Option<Residue> {
+        let constant = Number::apply(Function::Exp, std::slice::from_ref(&self.constant))?;
+        let mut product = constant.residue();
+        for (base, exponent) in &self.powers {
+            let value = at_base(*base)?;
+            let factor = if *exponent < 0 {
+                value.reciprocal()?
+            } else {
+                value
+            };
+            for _ in 0..exponent.unsigned_abs() {
+                product = product * factor;
+            }
+        }
+        Some(product)
+    }
+}
+
+/// A multiple of a value as a base and its exponent, which is even for a multiple without a divisor.
+fn power(value: Residue, factor: &Number) -> Option<(Residue, i32)> {
+    let Some((above, below)) = factor.to_fraction() else {
+        let whole = value * factor.residue();
+        return Some((whole * Number::ratio(1, 2).residue(), 2));
+    };
+    let (exponent, parts) = if below % 2 == 0 {
+        (above, below)
+    } else {
+        (above.checked_mul(2)?, below.checked_mul(2)?)
+    };
+    let part = Number::ratio(1, u64::try_from(parts).ok()?);
+    Some((value * part.residue(), i32::try_from(exponent).ok()?))
+}

@@ -408,7 +408,7 @@ fn what_equations_say_of_a_coupling_has_its_line() {
         )
     };
     let one = "<joint joint1=\"j\" polycoef=\"0\"/>";
-    let twice = "6, `<joint>`: `coupling_2` is kept already by `coupling_1`: leave one of them out";
+    let twice = "6, `<joint>`: `coupling_2` restrains the same motion as `coupling_1`: leave one of them out";
     check_file(&coupled(&format!("{one}\n{one}")), &[twice]);
     let itself = "5, `<joint>`: `coupling_1` does not depend on where the body is or how it moves: no load can \
                   keep it at zero";

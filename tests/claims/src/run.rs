@@ -124,7 +124,7 @@ fn tried(
 /// What is said of constraints that determine their reactions at a state.
 const UNDETERMINED: [&str; 4] = [
     "no acceleration changes",
-    "is kept already by",
+    "restrains the same motion as",
     "nothing determines",
     "no unknown reaction keeps",
 ];

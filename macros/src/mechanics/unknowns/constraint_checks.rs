@@ -66,12 +66,13 @@ pub fn trivial(name: impl Display, level: Level) -> String {
     format!("no acceleration changes `{name}`{why} no load can keep it at zero")
 }
 
-/// The error for a constraint that follows from these others.
+/// The error for a constraint whose gradient follows from those of these others: it follows from
+/// them itself, or contradicts them.
 pub fn dependent(name: impl Display, others: impl IntoIterator<Item = impl Display>) -> String {
     let others = others.into_iter().map(|other| format!("`{other}`"));
     let others: Vec<String> = others.collect();
     let others = others.join(" and ");
-    format!("`{name}` is kept already by {others}: leave one of them out")
+    format!("`{name}` restrains the same motion as {others}: leave one of them out")
 }
 
 /// The error for a constraint that changes where no acceleration changes it.

@@ -128,3 +128,78 @@ fn a_slider_and_a_drive_may_share_the_angle_of_the_cranks() {
         driven_by_two: [1.0, 0.0, 1.0];
     }
 }
+
+/// Three parallel cranks, and a body that a slide and a weld hold: two rows are multiples of each other.
+mod held {
+    newton_euler::rigid_system!(Held {
+        motion: planar,
+        bodies: [
+            bar {
+                mass: 2[kg],
+                inertia: 0.3[kg * m ^ 2],
+                points: [l = (-1, 0), m = (0, 0), r = (2, 0)]
+            },
+            first {
+                mass: 1[kg],
+                inertia: 0.1[kg * m ^ 2],
+                points: [pin = (0, 0), end = (1, 0)]
+            },
+            second {
+                mass: 1[kg],
+                inertia: 0.1[kg * m ^ 2],
+                points: [pin = (0, 0), end = (1, 0)]
+            },
+            third {
+                mass: 1[kg],
+                inertia: 0.1[kg * m ^ 2],
+                points: [pin = (0, 0), end = (1, 0)]
+            },
+            block {
+                mass: 1[kg],
+                inertia: 1[kg * m ^ 2]
+            },
+        ],
+        joints: [
+            a = revolute(world(0, 0), first.pin),
+            b = revolute(first.end, bar.l),
+            c = revolute(world(1, 0), second.pin),
+            d = revolute(world(3, 0), third.pin),
+            middle = revolute(bar.m, second.end),
+            right = revolute(bar.r, third.end),
+            slide = prismatic(world(0, 0), block.G, body(1, 1)),
+            held = weld(world(0, 0), block.G),
+        ],
+        fields: [weight = mass * world(1[m / s ^ 2], -9[m / s ^ 2])],
+    });
+}
+
+#[test]
+fn a_body_held_in_a_skew_slide() -> Result<(), Box<dyn std::error::Error>> {
+    let crank = |sign: f64| Hinge {
+        angle: 0.5 * sign,
+        angular_velocity: 0.3 * sign,
+    };
+    let [turned, back] = [1.0, -1.0].map(crank);
+    let state = held::HeldState {
+        a: turned,
+        b: back,
+        c: turned,
+        d: turned,
+        slide: Slide::default(),
+    };
+    let held = held::Held::default();
+    held.check(0.0, &state, &())?;
+    let motion = held.acceleration(0.0, &state, &());
+    // Lagrange's equation of the one angle: the bar moves along the circle of the ends of the cranks
+    let inertia = 3.0 * 0.1 + 2.0;
+    let (sine, cosine) = 0.5_f64.sin_cos();
+    let expected = 2.0 * (-9.0 * cosine - sine) / inertia;
+    assert!(
+        (motion.a - expected).abs() < 1e-13,
+        "{} {expected}",
+        motion.a
+    );
+    assert!(motion.slide.abs() < 1e-15);
+    held.integrate(&state).to(1.0)?;
+    Ok(())
+}

@@ -1,6 +1,9 @@
 //! Functions that turn sums into products: `e^(a + b) = e^a e^b`, and so with the points of the unit
 //! circle.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
+
 use crate::symbolic::algebra::Multiples;
 use crate::symbolic::number::{Function, Number, Residue};
 
@@ -26,18 +29,11 @@ impl Powers {
         }
     }
 
-    /// A sum of multiples, and of a constant, which is one of them if it is a fraction; `None` if one
-    /// has no value, or exponents or the constant are large.
+    /// A sum of multiples; `None` if one of them has no value, or exponents or the constant are large.
     pub fn of(sum: Multiples<Option<Residue>>) -> Option<Self> {
-        let is_fraction = sum.constant.to_fraction().is_some();
-        let (fraction, constant) = if is_fraction {
-            (sum.constant, Number::zero())
-        } else {
-            (Number::zero(), sum.constant)
-        };
-        let terms = sum.terms.into_iter();
-        let terms = terms.chain([(Some(Residue::ONE), fraction)]);
-        let powers = terms.map(|(value, factor)| power(value?, &factor));
+        let Multiples { constant, terms } = sum;
+        let powers = terms.into_iter();
+        let powers = powers.map(|(value, factor)| power(value?, &factor));
         let powers: Vec<(Residue, i32)> = powers.collect::<Option<_>>()?;
         let exponents = powers.iter();
         let exponents = exponents.map(|(_, exponent)| f64::from(exponent.unsigned_abs()));
@@ -55,11 +51,10 @@ impl Powers {
 
     /// The point of the unit circle at this angle: cosine and sine.
     pub fn on_circle(&self, half_tangent: impl Fn(Residue) -> Residue) -> Option<[Residue; 2]> {
-        let at = |function| {
-            let value = Number::apply(function, std::slice::from_ref(&self.constant));
-            value.map(|value| value.residue())
-        };
-        let mut point = [at(Function::Cos)?, at(Function::Sin)?];
+        let mut point = [
+            at(Function::Cos, &self.constant)?,
+            at(Function::Sin, &self.constant)?,
+        ];
         for (base, exponent) in &self.powers {
             let tangent = half_tangent(*base);
             let square = tangent * tangent;
@@ -77,8 +72,7 @@ impl Powers {
 
     /// e to this power.
     pub fn exponential(&self, at_base: impl Fn(Residue) -> Option<Residue>) -> Option<Residue> {
-        let constant = Number::apply(Function::Exp, std::slice::from_ref(&self.constant))?;
-        let mut product = constant.residue();
+        let mut product = at(Function::Exp, &self.constant)?;
         for (base, exponent) in &self.powers {
             let value = at_base(*base)?;
             let factor = if *exponent < 0 {
@@ -92,6 +86,20 @@ impl Powers {
         }
         Some(product)
     }
+}
+
+thread_local! {
+    /// What functions are at constants: it takes long to find their digits.
+    static KNOWN: RefCell<HashMap<(Function, Residue), Option<Residue>>> = RefCell::default();
+}
+
+/// What a function is at a constant.
+fn at(function: Function, constant: &Number) -> Option<Residue> {
+    KNOWN.with_borrow_mut(|known| {
+        let value = || Some(Number::apply(function, std::slice::from_ref(constant))?.residue());
+        let place = known.entry((function, constant.residue()));
+        *place.or_insert_with(value)
+    })
 }
 
 /// A multiple of a value as a base and its exponent, which is even for a multiple without a divisor.

@@ -337,6 +337,8 @@ fn guard_of(
     of_loads: Id,
 ) -> Option<Id> {
     let count = kept.first()?.1.slopes.len();
+    let mut sizes = solver.steps.iter().map(|step| step.size);
+    let changing = sizes.find(|size| graph.as_number(*size).is_none())?;
     let (mut holds, mut passed) = (graph.one(), of_loads);
     for (step, group) in solver.steps.iter().zip(&left.groups) {
         let (mut lacking, mut sizes, mut rows) = (Vec::new(), Vec::new(), Vec::new());
@@ -361,7 +363,11 @@ fn guard_of(
             let own = graph.divide(own, step.size);
             passed = graph.add(passed, own);
         }
-        let of_group = guard(graph, (lacking, sizes), (&rows, closeness), step.size)?;
+        let size = match graph.as_number(step.size) {
+            Some(_) => changing,
+            None => step.size,
+        };
+        let of_group = guard(graph, (lacking, sizes), (&rows, closeness), size);
         holds = graph.multiply(holds, of_group);
     }
     Some(graph.quantity(holds))

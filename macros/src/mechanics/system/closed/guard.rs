@@ -107,16 +107,13 @@ impl Closeness {
 }
 
 /// One; or NaN if the squared part that the rows are `lacking` is more than their `terms` allow.
-/// `size` is not negative. It vanishes, or is only rounding, if the rows do where they hold.
+/// `size` is not negative and no constant; it may vanish.
 pub fn guard(
     graph: &mut Graph,
     (lacking, terms): (Id, Id),
     (rows, closeness): (&[&ConstraintRow], &Closeness),
     size: Id,
-) -> Option<Id> {
-    if graph.as_number(size).is_some() {
-        return None;
-    }
+) -> Id {
     let number = |graph: &mut Graph, value: f64| graph.number(Number::from_f64(value));
     let reach = graph.integer(REACH * REACH);
     let rounding = number(graph, ROUNDING * ROUNDING);
@@ -147,5 +144,5 @@ pub fn guard(
     let beside = graph.multiply(eighth, beside);
     let size = graph.multiply(divisor, beside);
     let inverse = graph.checked_reciprocal(divisor, size);
-    Some(graph.multiply(divisor, inverse))
+    graph.multiply(divisor, inverse)
 }

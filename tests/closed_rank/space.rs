@@ -117,33 +117,54 @@ fn energy_is_kept() {
 }
 
 // Bennett's linkage, of links of 1 and 0.6 m, twisted by a right angle and by one whose sine is 0.6
-rigid_system!(Bennett {
-    bodies: [
-        one {
-            mass: 1[kg],
-            inertia: principal(0.1, 0.2, 0.25)[kg * m ^ 2],
-            points: [a = (0, 0, 0), b = (1, 0, 0)]
-        },
-        two {
-            mass: 1.5[kg],
-            inertia: principal(0.2, 0.2, 0.3)[kg * m ^ 2],
-            points: [b = (0, 0, 0), c = (0.6, 0, 0)]
-        },
-        three {
-            mass: 0.7[kg],
-            inertia: principal(0.12, 0.1, 0.2)[kg * m ^ 2],
-            points: [c = (0, 0, 0), d = (-1, 0, 0)]
-        },
-    ],
-    joints: [
-        a = revolute(world(0, 0, 0), one.a, world(0, 0, 1)),
-        b = revolute(one.b, two.b, body(0, -1, 0)),
-        c = revolute(two.c, three.c, body(0, -0.8, -0.6)),
-        d = revolute(world(0.6, 0, 0), three.d, world(0, -0.6, 0.8)),
-    ],
-    fields: [weight = mass * world(0, 0, -9.81[m / s ^ 2])],
-    outputs: [energy],
-});
+macro_rules! bennetts {
+    ($name:ident, [$($body:tt)*], [$($joint:tt)*]) => {
+        rigid_system!($name {
+            bodies: [
+                one {
+                    mass: 1[kg],
+                    inertia: principal(0.1, 0.2, 0.25)[kg * m ^ 2],
+                    points: [a = (0, 0, 0), b = (1, 0, 0)]
+                },
+                two {
+                    mass: 1.5[kg],
+                    inertia: principal(0.2, 0.2, 0.3)[kg * m ^ 2],
+                    points: [b = (0, 0, 0), c = (0.6, 0, 0)]
+                },
+                three {
+                    mass: 0.7[kg],
+                    inertia: principal(0.12, 0.1, 0.2)[kg * m ^ 2],
+                    points: [c = (0, 0, 0), d = (-1, 0, 0)]
+                },
+                $($body)*
+            ],
+            joints: [
+                a = revolute(world(0, 0, 0), one.a, world(0, 0, 1)),
+                b = revolute(one.b, two.b, body(0, -1, 0)),
+                c = revolute(two.c, three.c, body(0, -0.8, -0.6)),
+                d = revolute(world(0.6, 0, 0), three.d, world(0, -0.6, 0.8)),
+                $($joint)*
+            ],
+            fields: [weight = mass * world(0, 0, -9.81[m / s ^ 2])],
+            outputs: [energy],
+        });
+    };
+}
+
+bennetts!(Bennett, [], []);
+
+// beside it, a body that two slides hold: two rows are multiples of each other
+bennetts!(
+    Beside,
+    [block {
+        mass: 0.5[kg],
+        inertia: principal(0.3, 0.3, 0.4)[kg * m ^ 2]
+    }],
+    [
+        slide = prismatic(world(0, 0, 0), block.G, body(2, -1, 2)),
+        held = prismatic(world(0, 0, 0), block.G, body(1, 0, 0)),
+    ]
+);
 
 // opposite angles are alike, and half of a neighbor has a tangent of twice that of half of the other
 fn bent(angle: f64, rate: f64) -> BennettState {
@@ -181,5 +202,28 @@ fn bennetts_linkage_keeps_its_energy() {
         let end = body.integrate(&start).to(0.5).unwrap();
         let [before, after] = [&start, &end].map(energy);
         assert!((after - before).abs() < 1e-9 * before, "{before} {after}");
+    }
+}
+
+#[test]
+fn a_held_body_beside_it_changes_nothing() {
+    let (alone, both) = (Bennett::default(), Beside::default());
+    for number in 1..10 {
+        let start = bent(0.3 * f64::from(number), 2.0);
+        let BennettState { a, b, c } = start;
+        let slide = Slide::default();
+        let state = BesideState { a, b, c, slide };
+        let expected = alone.acceleration(0.0, &start, &());
+        let found = both.acceleration(0.0, &state, &());
+        let pairs = [
+            (found.a, expected.a),
+            (found.b, expected.b),
+            (found.c, expected.c),
+            (found.slide, 0.0),
+        ];
+        for (found, expected) in pairs {
+            assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+        }
+        both.integrate(&state).to(0.1).unwrap();
     }
 }

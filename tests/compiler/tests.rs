@@ -17,6 +17,7 @@ mod expansions;
 mod files;
 mod fractions_of_a_turn;
 mod from_root;
+mod identities;
 mod jumps;
 mod magnitudes;
 mod models;

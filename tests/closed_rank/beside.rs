@@ -2,31 +2,43 @@
 
 use newton_euler::prelude::*;
 
-/// Three parallel cranks under a bar, and a slider with a constraint of its own.
+/// Three parallel cranks under a bar, and what is beside them.
 macro_rules! cranks {
+    ([$($body:tt)*], [$($joint:tt)*], $($key:tt)*) => {
+        newton_euler::rigid_system!(Beside {
+            motion: planar,
+            bodies: [
+                bar { mass: 2[kg], inertia: 0.3[kg * m ^ 2], points: [l = (-1, 0), m = (0, 0), r = (1, 0)] },
+                first { mass: 1[kg], inertia: 0.1[kg * m ^ 2], points: [pin = (0, 0), end = (1, 0)] },
+                second { mass: 1[kg], inertia: 0.1[kg * m ^ 2], points: [pin = (0, 0), end = (1, 0)] },
+                third { mass: 1[kg], inertia: 0.1[kg * m ^ 2], points: [pin = (0, 0), end = (1, 0)] },
+                $($body)*
+            ],
+            joints: [
+                a = revolute(world(0, 0), first.pin),
+                b = revolute(first.end, bar.l),
+                c = revolute(world(1, 0), second.pin),
+                d = revolute(world(2, 0), third.pin),
+                $($joint)*
+                middle = revolute(bar.m, second.end),
+                right = revolute(bar.r, third.end),
+            ],
+            fields: [weight = mass * world(1[m / s ^ 2], -9.8[m / s ^ 2])],
+            $($key)*
+        });
+    };
+}
+
+/// The cranks, and a slider with a constraint of its own.
+macro_rules! sliders {
     ($($name:ident: $constraint:expr;)*) => {$(
         #[allow(unused_variables, reason = "a constraint reads some of the locals")]
         mod $name {
             use super::{Hinge, PlanarTranslation};
 
-            newton_euler::rigid_system!(Beside {
-                motion: planar,
-                bodies: [
-                    bar { mass: 2[kg], inertia: 0.3[kg * m ^ 2], points: [l = (-1, 0), m = (0, 0), r = (1, 0)] },
-                    first { mass: 1[kg], inertia: 0.1[kg * m ^ 2], points: [pin = (0, 0), end = (1, 0)] },
-                    second { mass: 1[kg], inertia: 0.1[kg * m ^ 2], points: [pin = (0, 0), end = (1, 0)] },
-                    third { mass: 1[kg], inertia: 0.1[kg * m ^ 2], points: [pin = (0, 0), end = (1, 0)] },
-                    slider { mass: 1[kg], inertia: 0.1[kg * m ^ 2] },
-                ],
-                joints: [
-                    a = revolute(world(0, 0), first.pin),
-                    b = revolute(first.end, bar.l),
-                    c = revolute(world(1, 0), second.pin),
-                    d = revolute(world(2, 0), third.pin),
-                    base = translation(slider),
-                    middle = revolute(bar.m, second.end),
-                    right = revolute(bar.r, third.end),
-                ],
+            cranks!(
+                [slider { mass: 1[kg], inertia: 0.1[kg * m ^ 2] }],
+                [base = translation(slider),],
                 locals: [
                     x = slider.position.in_world().x / 1[m],
                     y = slider.position.in_world().y / 1[m],
@@ -34,9 +46,8 @@ macro_rules! cranks {
                     rate = a.angular_velocity / 1[rad / s],
                     time = t / 1[s],
                 ],
-                fields: [weight = mass * world(1[m / s ^ 2], -9.8[m / s ^ 2])],
                 constraints: [rail = $constraint],
-            });
+            );
 
             pub fn state(angle: f64, angular_velocity: f64, x: f64) -> BesideState {
                 let crank = Hinge { angle, angular_velocity };
@@ -52,7 +63,7 @@ macro_rules! cranks {
     )*};
 }
 
-cranks! {
+sliders! {
     straight: y + 0.1 * x;
     curved: y + 0.1 * x * x;
     bent: y + (x - 1).max(0);
@@ -129,48 +140,18 @@ fn a_slider_and_a_drive_may_share_the_angle_of_the_cranks() {
     }
 }
 
-/// Three parallel cranks, and a body that a slide and a weld hold: two rows are multiples of each other.
+/// The cranks, and a body that a slide and a weld hold: two rows are multiples of each other.
 mod held {
-    newton_euler::rigid_system!(Held {
-        motion: planar,
-        bodies: [
-            bar {
-                mass: 2[kg],
-                inertia: 0.3[kg * m ^ 2],
-                points: [l = (-1, 0), m = (0, 0), r = (2, 0)]
-            },
-            first {
-                mass: 1[kg],
-                inertia: 0.1[kg * m ^ 2],
-                points: [pin = (0, 0), end = (1, 0)]
-            },
-            second {
-                mass: 1[kg],
-                inertia: 0.1[kg * m ^ 2],
-                points: [pin = (0, 0), end = (1, 0)]
-            },
-            third {
-                mass: 1[kg],
-                inertia: 0.1[kg * m ^ 2],
-                points: [pin = (0, 0), end = (1, 0)]
-            },
-            block {
-                mass: 1[kg],
-                inertia: 1[kg * m ^ 2]
-            },
-        ],
-        joints: [
-            a = revolute(world(0, 0), first.pin),
-            b = revolute(first.end, bar.l),
-            c = revolute(world(1, 0), second.pin),
-            d = revolute(world(3, 0), third.pin),
-            middle = revolute(bar.m, second.end),
-            right = revolute(bar.r, third.end),
+    cranks!(
+        [block {
+            mass: 1[kg],
+            inertia: 1[kg * m ^ 2]
+        }],
+        [
             slide = prismatic(world(0, 0), block.G, body(1, 1)),
-            held = weld(world(0, 0), block.G),
+            weld = weld(world(0, 0), block.G),
         ],
-        fields: [weight = mass * world(1[m / s ^ 2], -9[m / s ^ 2])],
-    });
+    );
 }
 
 #[test]
@@ -180,20 +161,20 @@ fn a_body_held_in_a_skew_slide() -> Result<(), Box<dyn std::error::Error>> {
         angular_velocity: 0.3 * sign,
     };
     let [turned, back] = [1.0, -1.0].map(crank);
-    let state = held::HeldState {
+    let state = held::BesideState {
         a: turned,
         b: back,
         c: turned,
         d: turned,
         slide: Slide::default(),
     };
-    let held = held::Held::default();
+    let held = held::Beside::default();
     held.check(0.0, &state, &())?;
     let motion = held.acceleration(0.0, &state, &());
     // Lagrange's equation of the one angle: the bar moves along the circle of the ends of the cranks
     let inertia = 3.0 * 0.1 + 2.0;
     let (sine, cosine) = 0.5_f64.sin_cos();
-    let expected = 2.0 * (-9.0 * cosine - sine) / inertia;
+    let expected = 2.0 * (-9.8 * cosine - sine) / inertia;
     assert!(
         (motion.a - expected).abs() < 1e-13,
         "{} {expected}",

@@ -6,7 +6,7 @@ use crate::symbolic::graph::{Graph, Id, Node};
 use crate::symbolic::number::Number;
 
 /// The most terms of a sum that is taken apart.
-pub const MOST_TERMS: usize = 16;
+const MOST_TERMS: usize = 16;
 
 /// `constant + sum of factor * value`
 pub struct Multiples<V> {

@@ -13,7 +13,8 @@ pub(super) const MOST: f64 = 32.0;
 /// The largest constant of a sum: e to its power has few digits.
 const LARGEST: f64 = 64.0;
 
-/// A sum, as exponents of values at bases, with what the functions are at its constant.
+/// A sum as a constant, and as bases with exponents: a function of the sum is its value at the constant,
+/// times the powers of its values at the bases.
 #[derive(Clone)]
 pub(super) struct Powers {
     constant: Number,
